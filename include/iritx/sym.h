@@ -1,0 +1,100 @@
+/* sym.h - exact algebra on multivariates.
+ *
+ * Binary operations make the operands compatible first (point type, kind of
+ * basis, breakpoints); their domains must agree within 1e-5 of their length,
+ * else IX_EARG. Rational operands follow the rules of fractions. The result
+ * has the least degree and the highest continuity that the formula itself
+ * guarantees: at a breakpoint where the operands are C^c the result of order
+ * K gets a knot of multiplicity K - 1 - c (none if c >= K - 1). Bezier
+ * operands give a Bezier result. */
+#ifndef IRITX_SYM_H
+#define IRITX_SYM_H
+
+#include "iritx/mv.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Options of the algebra; NULL stands for the defaults {INT_MAX, 0}. */
+typedef struct {
+    int max_cont; /* cut the continuity of results: 0 gives C0 joins, as IRIT's
+                     BspProdMethod 0; INT_MAX keeps what is guaranteed */
+    int reserved;
+} ix_sym_opts;
+
+/* a + b, a - b. Rational with different weights: common denominator. */
+ix_status ix_sym_add(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+ix_status ix_sym_sub(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Coordinate by coordinate product (weights too). */
+ix_status ix_sym_mul(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Every coordinate of a times the scalar s. */
+ix_status ix_sym_scale(ix_ctx *ctx, const ix_mv *a, const ix_mv *s,
+                       const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Scalar product; E1 or P1. */
+ix_status ix_sym_dot(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Scalar product with a constant vector v[ncoords of a] (exact, same knots). */
+ix_status ix_sym_dot_vector(ix_ctx *ctx, const ix_mv *a, const double *v,
+                            ix_mv **out) IX_MUST_CHECK;
+/* Vector product, always 3 coordinates; missing coordinates are 0. Err
+ * IX_EARG more than 3 coordinates. */
+ix_status ix_sym_cross(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                       const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* det(a, b, c) of three vector multivariates with 3 coordinates. */
+ix_status ix_sym_triple(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                        const ix_mv *c, const ix_sym_opts *o,
+                        ix_mv **out) IX_MUST_CHECK;
+/* Determinant of n rows, each a polynomial multivariate with n coordinates. */
+ix_status ix_sym_det(ix_ctx *ctx, int n, const ix_mv *const *rows,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* The n+1 signed maximal minors of n polynomial rows with n+1 coordinates:
+ * (-1)^j det(rows without column j); orthogonal to every row. */
+ix_status ix_sym_minors(ix_ctx *ctx, int n, const ix_mv *const *rows,
+                        const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Each coordinate of a over the scalar b (a rational result). */
+ix_status ix_sym_div(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                     const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* 1 / a of a scalar. */
+ix_status ix_sym_invert(ix_ctx *ctx, const ix_mv *a, ix_mv **out) IX_MUST_CHECK;
+
+/* d/dt in one direction. Rational: the true derivative
+ * (X'W - XW')/W^2, degree 2d for degree d as the quotient rule gives it.
+ * Order 1 gives zeros of order 1. */
+ix_status ix_sym_derive(ix_ctx *ctx, const ix_mv *a, int dir,
+                        const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
+/* Every axis including the weight differentiated by itself. */
+ix_status ix_sym_derive_axes(ix_ctx *ctx, const ix_mv *a, int dir,
+                             ix_mv **out) IX_MUST_CHECK;
+/* Integral from the lower end, first control value 0; polynomial only. */
+ix_status ix_sym_integrate(ix_ctx *ctx, const ix_mv *a, int dir,
+                           ix_mv **out) IX_MUST_CHECK;
+
+/* f(g1, g2, ...): g holds one scalar coordinate for each direction of f (more
+ * are ignored). Degrees: (sum of f's degrees) times g's. f's breakpoints are
+ * pulled back for univariate g by splitting g where it crosses them.
+ * Err IX_EDOMAIN g leaves f's domain by more than 1e-5 of its length;
+ * IX_EARG more than one direction in g and interior knots in f. */
+ix_status ix_sym_compose(ix_ctx *ctx, const ix_mv *f, const ix_mv *g,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* What a reduction did. */
+typedef struct {
+    double change; /* largest relative change of a control value */
+    int degrees;   /* by how much all degrees together went down */
+    int factors;   /* degree of the common factor divided out */
+} ix_reduce_report;
+/* The same map in lower degree where that is possible within tol (relative to
+ * the largest control value; 0 means 1e-12): vanishing leading coefficients
+ * dropped, a common factor of all numerators and the weight divided out,
+ * knots that are not needed removed. rep may be NULL. */
+ix_status ix_sym_reduce(ix_ctx *ctx, const ix_mv *a, double tol,
+                        ix_reduce_report *rep, ix_mv **out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

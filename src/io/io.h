@@ -1,0 +1,57 @@
+/* io.h - files: text geometry (itd), gzip, atomic saving; the suffix decides.
+ *
+ * A reader gets the whole (inflated) input in memory and never recurses
+ * deeper than IX_MAX_DEPTH; its messages read "file:line:col: what". */
+#ifndef IO_IO_H
+#define IO_IO_H
+
+#include "object/object.h"
+
+#define IX_MAX_DEPTH 256
+
+typedef struct {
+    const char *float_format; /* NULL: shortest round-trip numbers; else a
+                                 printf-style format such as "%-16.14lg" */
+} ix_write_opts;
+
+/* Where reading stopped with an error, for messages of a caller. */
+typedef struct {
+    int line, col; /* 1-based; 0 if the error has no place in the text */
+} ix_place;
+
+/* --- text ------------------------------------------------------------------
+ */
+/* Reads objects from text[n]. fname is for messages only. *out is the single
+ * object or an unnamed list. Err IX_EPARSE (message "fname:line:col: error:
+ * ..."), IX_ENOMEM. */
+ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
+                       size_t n, ix_obj **out) IX_MUST_CHECK;
+/* Appends o in the layout of spec itd-format 10, starting at a column. */
+ix_status ix__itd_write(ix_buf *b, const ix_obj *o, const ix_write_opts *w,
+                        int column) IX_MUST_CHECK;
+/* Appends one number in the writer's form (14 or so digits, trailing zeros
+ * cut, tiny values 0; or shortest). */
+void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
+
+/* --- files ------------------------------------------------------------------
+ */
+/* The whole regular file, inflated if it is gzip (told by its first bytes);
+ * data is NUL-terminated, freed with ix__buf_free. Caps: 1 GiB, and a ratio
+ * of 200 after the first 16 MiB. Checks the gzip trailer. Err IX_EIO,
+ * IX_EPARSE, IX_ENOMEM; messages begin with the name. */
+ix_status ix__file_read(ix_ctx *ctx, const char *name,
+                        ix_buf *out) IX_MUST_CHECK;
+/* Writes a temporary file beside name, syncs it, renames it onto name; gzips
+ * if the name ends in .gz or .Z. On failure nothing is left behind. */
+ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
+                         size_t n) IX_MUST_CHECK;
+
+/* Loads by suffix; a name that does not exist is tried with ".itd" added.
+ * resolved (may be NULL) receives the name that was read. */
+ix_status ix__load(ix_ctx *ctx, const char *name, ix_buf *resolved,
+                   ix_obj **out) IX_MUST_CHECK;
+/* Saves by suffix; ".itd" is added to any name without a known one. */
+ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
+                   const ix_write_opts *w) IX_MUST_CHECK;
+
+#endif

@@ -1,0 +1,89 @@
+/* interp.h - the interpreter: variables, scopes, state, output, errors.
+ *
+ * What primitives may use of it. The parser and evaluator keep the rest in
+ * interp_impl.h. */
+#ifndef LANG_INTERP_H
+#define LANG_INTERP_H
+
+#include <stdio.h>
+
+#include "io/io.h"
+#include "lang/builtin.h"
+
+/* Limits; 0 stands for the default in brackets. */
+typedef struct {
+    int max_calls;       /* nested user function calls [1000] */
+    unsigned long steps; /* statements and loop rounds [no limit] */
+    size_t max_coeffs;   /* control values of one object [16 M] */
+    bool strict;         /* stop at the first error of any kind */
+    bool check_only;     /* parse and type-check, run nothing */
+    bool allow_system;   /* SYSTEM, and files outside root */
+    const char *root;    /* files stay below it; NULL: the current directory */
+} ix_interp_opts;
+
+ix_status ix__interp_new(ix_ctx *ctx, const ix_interp_opts *o,
+                         ix_interp **out) IX_MUST_CHECK;
+void ix__interp_free(ix_interp *in);
+
+/* Runs a file ("-" is standard input) or a text. Returns IX_OK or the first
+ * hard error's status; messages have been written to standard error. */
+ix_status ix__interp_run_file(ix_interp *in, const char *name) IX_MUST_CHECK;
+ix_status ix__interp_run_text(ix_interp *in, const char *name, const char *text,
+                              size_t n) IX_MUST_CHECK;
+/* Errors reported so far, soft ones included. */
+int ix__interp_errors(const ix_interp *in);
+/* What scripts gave to VIEWOBJ and friends since the last clear: a list. */
+const ix_obj *ix__interp_viewed(const ix_interp *in);
+
+/* --- for primitives
+ * ----------------------------------------------------------- */
+ix_ctx *ix__interp_ctx(ix_interp *in);
+/* Script output (values, PRINTF): standard output, or PRINTFILE's file. */
+void ix__out(ix_interp *in, const char *s, size_t n);
+/* A remark or warning on standard error with the present place. */
+void ix__remark(ix_interp *in, const char *fmt, ...) IX_PRINTF(2, 3);
+
+/* Run-time look-up by name, any case: innermost activation first, then
+ * outer ones, then globals. Borrowed; NULL if there is none. */
+ix_obj *ix__var_find(ix_interp *in, const char *name);
+/* Assigns in place as a script's "name = o" at top level would. */
+ix_status ix__var_set(ix_interp *in, const char *name,
+                      const ix_obj *o) IX_MUST_CHECK;
+/* A numeric system variable such as RESOLUTION, or dflt. */
+double ix__var_num(ix_interp *in, const char *name, double dflt);
+ix_status ix__var_free(ix_interp *in, const char *name) IX_MUST_CHECK;
+
+/* States of IRITSTATE that primitives read. */
+typedef struct {
+    int bsp_prod_method;   /* 0, 1, 2 [2] */
+    int dump_level;        /* [23] */
+    int prim_type;         /* [0] */
+    bool prim_rat_srfs;    /* [true] */
+    double cmp_eps;        /* CmpObjEps [1e-14] */
+    char float_format[64]; /* ["%-16.14lg"] */
+    bool float_format_set; /* true once a script changed it: SAVE follows it */
+    int degree_form;       /* 0 minimal, 1 published, 2 naive, 3 irit */
+    uint64_t random;       /* RandomInit */
+} ix_states;
+ix_states *ix__states(ix_interp *in);
+
+/* Text dump of a value as an expression statement prints it. */
+ix_status ix__dump_value(ix_interp *in, const ix_obj *o,
+                         ix_buf *b) IX_MUST_CHECK;
+/* PRINTF's formatter: appends to b. Err IX_EARG (soft) as spec/functions 4. */
+ix_status ix__printf(ix_interp *in, const char *fmt, const ix_obj *args,
+                     ix_buf *b) IX_MUST_CHECK;
+
+/* Queues text or a file to be run after the rest of the present line. */
+ix_status ix__queue_text(ix_interp *in, const char *text) IX_MUST_CHECK;
+ix_status ix__queue_file(ix_interp *in, const char *name) IX_MUST_CHECK;
+/* name if the safe mode allows it, else IX_EIO with what would. writing:
+ * for output. */
+ix_status ix__path_check(ix_interp *in, const char *name,
+                         bool writing) IX_MUST_CHECK;
+
+/* The table row of a built-in (any case) or NULL; and all rows in order. */
+const ix_builtin *ix__builtin_find(const char *name);
+const ix_builtin *ix__builtin_at(size_t i); /* NULL past the last */
+
+#endif
