@@ -64,6 +64,11 @@ typedef struct {
     bool float_format_set; /* true once a script changed it: SAVE follows it */
     int degree_form;       /* 0 minimal, 1 published, 2 naive, 3 irit */
     uint64_t random;       /* RandomInit */
+    bool echo_source;      /* [false] print each source line as it is read */
+    bool debug_func;       /* [false] trace calls of user functions */
+    double time_start;     /* processor seconds at TIME's last reset [start] */
+    ix_attr *other;        /* the states that are only remembered, by name;
+                              freed with the interpreter */
 } ix_states;
 ix_states *ix__states(ix_interp *in);
 
@@ -73,6 +78,28 @@ ix_status ix__dump_value(ix_interp *in, const ix_obj *o,
 /* PRINTF's formatter: appends to b. Err IX_EARG (soft) as spec/functions 4. */
 ix_status ix__printf(ix_interp *in, const char *fmt, const ix_obj *args,
                      ix_buf *b) IX_MUST_CHECK;
+
+/* Sends script output to a file (created anew); NULL or "": back to standard
+ * output. */
+ix_status ix__out_redirect(ix_interp *in, const char *file) IX_MUST_CHECK;
+/* A copy of what is printed: file NULL keeps the present name. */
+ix_status ix__log(ix_interp *in, const char *file, bool on) IX_MUST_CHECK;
+/* One line of standard input without its newline, appended to b; false at
+ * the end of input. */
+bool ix__in_line(ix_interp *in, ix_buf *b);
+/* VIEWOBJ: adds a reference to the viewed list; NULL empties the list. */
+ix_status ix__view(ix_interp *in, ix_obj *o) IX_MUST_CHECK;
+
+/* The global variables and user functions one by one, in the order of their
+ * definition; NULL past the last. The variable's name is o->name. */
+ix_obj *ix__var_at(ix_interp *in, size_t i);
+const char *ix__fn_at(ix_interp *in, size_t i);
+/* Removes a user function; "" removes all in USR_FN_LIST. Err IX_EARG. */
+ix_status ix__fn_free(ix_interp *in, const char *name) IX_MUST_CHECK;
+/* RESET: all variables go, the predefined ones are made again. */
+ix_status ix__var_reset(ix_interp *in) IX_MUST_CHECK;
+/* EXIT: the interpreter ends once the primitive returns this value. */
+ix_status ix__exit(ix_interp *in) IX_MUST_CHECK;
 
 /* Queues text or a file to be run after the rest of the present line. */
 ix_status ix__queue_text(ix_interp *in, const char *text) IX_MUST_CHECK;
