@@ -96,6 +96,8 @@ void ix_ctx_free(ix_ctx *ctx)
     alloc = ctx->alloc;
     ud = ctx->ud;
     ix__pool_stop(ctx);
+    if (ctx->free_list_drop)
+        ctx->free_list_drop(ctx);
     ctx->keep_scratch = false;
     ix__scratch_release(ctx, (ix_mark){NULL, 0});
     (void)alloc(ud, ctx, sizeof *ctx, 0);

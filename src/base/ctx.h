@@ -29,7 +29,9 @@ struct ix_ctx {
     void *note_ud;
     int nthreads; /* 0: one per processor */
     ix__pool *pool;
-    void *free_list; /* small value objects kept for reuse, see object/ */
+    void *free_list; /* value boxes kept for reuse, see object/object.c */
+    int free_count;  /* how many */
+    void (*free_list_drop)(ix_ctx *ctx); /* set once there is such a list */
 };
 
 typedef struct {

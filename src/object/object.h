@@ -29,18 +29,26 @@ struct ix_attr {
     ix_obj *obj; /* OBJ: a reference */
 };
 ix_attr *ix__attr_find(ix_attr *list, const char *name);
+/* Setting replaces a value of that name where it stands, else the new
+ * attribute comes first. On failure nothing has changed. */
 ix_status ix__attr_set_string(ix_ctx *, ix_attr **, const char *name,
                               const char *s) IX_MUST_CHECK;
 ix_status ix__attr_set_int(ix_ctx *, ix_attr **, const char *name,
                            long long v) IX_MUST_CHECK;
 ix_status ix__attr_set_real(ix_ctx *, ix_attr **, const char *name,
                             double v) IX_MUST_CHECK;
-/* Keeps a reference to o. */
+/* Keeps a reference to o, which must not hold the owner of the attributes
+ * (ix__obj_contains): such a cycle would never be released. */
 ix_status ix__attr_set_obj(ix_ctx *, ix_attr **, const char *name,
                            ix_obj *o) IX_MUST_CHECK;
 void ix__attr_remove(ix_ctx *, ix_attr **, const char *name);
 ix_status ix__attr_copy_all(ix_ctx *, const ix_attr *from,
                             ix_attr **to) IX_MUST_CHECK; /* *to replaced */
+/* Moves the first attribute to the end: readers keep the file's order. */
+void ix__attr_first_to_last(ix_attr **);
+/* Case-insensitive in ASCII whatever the locale; < 0, 0, > 0. */
+int ix__name_cmp(const char *a, const char *b);
+void ix__name_upper(char *s); /* ASCII, in place */
 void ix__attr_free_all(ix_ctx *, ix_attr **);
 
 /* --- the box ----------------------------------------------------------------
@@ -53,8 +61,12 @@ typedef struct {
 struct ix_obj {
     int refs;
     ix_obj_type type;
-    char *name; /* NULL: none (written NONE); upper case as a rule */
+    union {
+        char *name;   /* NULL: none (written NONE); upper case as a rule */
+        ix_obj *link; /* of a box that waits for its release or its reuse */
+    };
     ix_attr *attrs;
+    void *mark; /* used by one walk at a time, NULL outside; see walk.h */
     union {
         double num;
         double pt[3]; /* POINT, VECTOR */
@@ -106,6 +118,11 @@ ix_obj *ix__obj_poly(ix_ctx *ctx, const ix_poly *p);       /* takes over */
 ix_obj *ix__obj_trimsrf(ix_ctx *ctx, const ix_trimsrf *t); /* takes over */
 ix_obj *ix__obj_trisrf(ix_ctx *ctx, const ix_trisrf *t);   /* takes over */
 ix_obj *ix__obj_model(ix_ctx *ctx, const ix_model *m);     /* takes over */
+/* Linked sequences of n >= 1; these keep references of their own. */
+ix_obj *ix__obj_trimsrfs(ix_ctx *ctx, int n, const ix_trimsrf *const *t);
+ix_obj *ix__obj_trisrfs(ix_ctx *ctx, int n, const ix_trisrf *const *t);
+ix_obj *ix__obj_models(ix_ctx *ctx, int n, const ix_model *const *m);
+/* target is copied, in upper case. */
 ix_obj *ix__obj_instance(ix_ctx *ctx, const char *target, const double m[16]);
 
 /* CURVE, SURFACE, TRIVAR for 1, 2, 3 directions, else MULTIVAR. */
@@ -123,10 +140,14 @@ ix_obj *ix__obj_copy(ix_ctx *ctx, const ix_obj *o);
  * Lists: elements shared. dst == src does nothing. */
 ix_status ix__obj_assign(ix_ctx *ctx, ix_obj *dst,
                          const ix_obj *src) IX_MUST_CHECK;
+/* The same, but takes over the caller's reference to src, and moves its value
+ * if that was the last one: cannot fail then. */
+ix_status ix__obj_move(ix_ctx *ctx, ix_obj *dst, ix_obj *src) IX_MUST_CHECK;
 /* name is copied and converted to upper case; NULL, "" or "NONE": no name. */
 ix_status ix__obj_set_name(ix_ctx *ctx, ix_obj *o,
                            const char *name) IX_MUST_CHECK;
-/* True if o is x or, as a list, holds it somewhere. Iterative. */
+/* True if o is x or holds it somewhere, in lists or object attributes.
+ * Iterative; each box is looked at once; immediate for plain values. */
 bool ix__obj_contains(const ix_obj *o, const ix_obj *x);
 /* "Numeric", "Object List", "CtlPt", ... as in the header line of dumps. */
 const char *ix__obj_type_name(ix_obj_type t);
@@ -140,6 +161,15 @@ ix_status ix__poly_vertices(ix_ctx *ctx, ix_polygon *pg,
 ix_poly *ix__poly_dup(ix_ctx *ctx, const ix_poly *p); /* deep, to be edited */
 /* Plane from the vertices (Newell's sum); false if degenerate. */
 bool ix__polygon_plane(const ix_polygon *pg, double plane[4]);
+/* Deep copy of one polygon into a zeroed one; on failure the owner of *to
+ * releases what is there. */
+ix_status ix__polygon_dup(ix_ctx *ctx, const ix_polygon *from,
+                          ix_polygon *to) IX_MUST_CHECK;
+const ix_poly *ix__poly_ref(const ix_poly *p);
+const ix_mvs *ix__mvs_ref(const ix_mvs *m);
+const ix_trimsrf *ix__trimsrf_ref(const ix_trimsrf *t);
+const ix_trisrf *ix__trisrf_ref(const ix_trisrf *t);
+const ix_model *ix__model_ref(const ix_model *m);
 void ix__poly_unref(ix_ctx *ctx, const ix_poly *p);
 const ix_mvs *ix__mvs_new(ix_ctx *ctx, int n,
                           const ix_mv *const *mv); /* keeps references */
@@ -152,7 +182,11 @@ void ix__trimsrf_unref(ix_ctx *ctx, const ix_trimsrf *t);
 ix_trisrf *ix__trisrf_new(ix_ctx *ctx, ix_tri_kind kind, int length, int order,
                           int ncoords, bool rational);
 void ix__trisrf_unref(ix_ctx *ctx, const ix_trisrf *t);
-ix_model *ix__model_new(ix_ctx *ctx, int nsrf, int nseg);
+ix_model *ix__model_new(ix_ctx *ctx, int nsrf, int nseg); /* zeroed */
+/* Makes room for n empty loops of a surface; for n indices of one loop. */
+ix_status ix__model_loops(ix_ctx *ctx, ix_model_srf *s, int n) IX_MUST_CHECK;
+ix_status ix__model_loop_segs(ix_ctx *ctx, ix_model_srf *s, int loop,
+                              int n) IX_MUST_CHECK;
 void ix__model_unref(ix_ctx *ctx, const ix_model *m);
 
 /* x' = x M applied to any object, recursively for lists; a new box with o's
