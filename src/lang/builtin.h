@@ -34,8 +34,10 @@ typedef struct {
 typedef ix_status (*ix_builtin_fn)(ix_call *c);
 
 enum {
-    IX_B_SOFT = 1 /* a failure prints its message, gives no value, and the
-                     script goes on (spec/language 9, "soft") */
+    IX_B_SOFT = 1,   /* a failure prints its message, gives no value, and the
+                        script goes on (spec/language 9, "soft") */
+    IX_B_LIBRARY = 2 /* start-up library: a script may define a function of
+                        this name, which then goes first */
 };
 
 typedef struct {
@@ -62,6 +64,7 @@ extern const ix_builtin ix__builtins_surface[];
 extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
+extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------
  */

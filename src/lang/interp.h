@@ -101,6 +101,13 @@ ix_status ix__var_reset(ix_interp *in) IX_MUST_CHECK;
 /* EXIT: the interpreter ends once the primitive returns this value. */
 ix_status ix__exit(ix_interp *in) IX_MUST_CHECK;
 
+/* EXEC: parses and runs text as one statement now (";" is added), names
+ * looked up as by ix__var_find; variables of the running functions can be
+ * read and assigned. */
+ix_status ix__exec_text(ix_interp *in, const char *text) IX_MUST_CHECK;
+/* IX_OK if the options allow SYSTEM, else IX_EIO with what would. */
+ix_status ix__system_check(ix_interp *in) IX_MUST_CHECK;
+
 /* Queues text or a file to be run after the rest of the present line. */
 ix_status ix__queue_text(ix_interp *in, const char *text) IX_MUST_CHECK;
 ix_status ix__queue_file(ix_interp *in, const char *name) IX_MUST_CHECK;
