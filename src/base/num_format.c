@@ -72,8 +72,7 @@ static decimal to_decimal(uint64_t bits)
     return d;
 }
 
-/* Decimal digits of v, without leading zeros; returns their number. */
-static int put_digits(uint64_t v, char *out)
+int ix__num_digits(uint64_t v, char *out)
 {
     char tmp[20];
     int n = 0;
@@ -106,7 +105,7 @@ static char *put_scientific(char *p, const char *dig, int n, int point)
     e = e < 0 ? -e : e;
     if (e < 10)
         *p++ = '0';
-    return p + put_digits((uint64_t)e, p);
+    return p + ix__num_digits((uint64_t)e, p);
 }
 
 /* The decimal point stands behind dig[point - 1]. */
@@ -130,7 +129,7 @@ static char *put_positive(char *p, uint64_t bits)
 {
     decimal d = to_decimal(bits);
     char dig[20];
-    int n = put_digits(d.digits, dig), point = n + d.exp;
+    int n = ix__num_digits(d.digits, dig), point = n + d.exp;
 
     if (point < -3 || point > 17)
         return put_scientific(p, dig, n, point);

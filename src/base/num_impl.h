@@ -39,6 +39,9 @@ void ix__big_shift(ix_big *b, int bits);           /* times 2^bits */
 uint64_t ix__big_div(ix_big *b, uint64_t d);       /* quotient; the remainder */
 int ix__big_cmp(const ix_big *a, const ix_big *b); /* -1, 0, 1 */
 
+/* Decimal digits of v, at least one, at most 20; returns their number. */
+int ix__num_digits(uint64_t v, char *out);
+
 /* A finite v > 0 as m 2^e with the least m such that e >= -1074. */
 static inline uint64_t ix__num_split(uint64_t bits, int *e)
 {
