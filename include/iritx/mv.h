@@ -77,8 +77,9 @@ void ix_mv_domain(const ix_mv *m, int dir, double dom[2]);
 
 /* --- evaluation ---------------------------------------------------------
  * Parameters must lie in the domain up to 1e-5 times its length, then they
- * are clamped; Bezier and power directions of curves and surfaces accept any
- * parameter (they extrapolate). At interior knots the piece to the right
+ * are clamped; Bezier and power directions of curves and surfaces, and those
+ * B-splines that are Bezier (one open span), accept any parameter (they
+ * extrapolate). At interior knots the piece to the right
  * counts, at the upper end the last piece. */
 
 /* Homogeneous value at t[ndirs]: out[axes]. Err IX_EDOMAIN outside. */

@@ -30,10 +30,11 @@ ix_status ix__spans_of(ix_ctx *ctx, const ix_dir *dir,
 ix_status ix__spans_union(ix_ctx *ctx, const ix_spans *a, const ix_spans *b,
                           int degree, ix_spans *out) IX_MUST_CHECK;
 
-/* B-spline (or Bezier) coefficients of dir to Bernstein coefficients on sp,
- * whose breaks contain those of dir (it may have more) and whose degree is
- * dir's order - 1. in [outer][length][inner] (periodic wraps), out
- * [outer][nspans * (degree + 1)][inner]; no overlap. Shares out large work. */
+/* B-spline (or Bezier) coefficients of dir to Bernstein coefficients on the
+ * breaks of sp, which contain those of dir up to a few ulp (sp may have more;
+ * its degree and cont do not matter). in [outer][length][inner] (periodic
+ * wraps), out [outer][nspans * order][inner]; no overlap. Convex
+ * combinations only. Shares out large work. */
 ix_status ix__spans_extract(ix_ctx *ctx, const ix_dir *dir, const ix_spans *sp,
                             size_t outer, size_t inner, const double *in,
                             double *out) IX_MUST_CHECK;
@@ -47,8 +48,10 @@ ix_status ix__spans_target(ix_ctx *ctx, const ix_spans *sp, int max_cont,
 
 /* Bernstein coefficients on sp to coefficients of dir (from
  * ix__spans_target); each is one blossom value of one span: exact up to
- * rounding. in [outer][nspans * (degree + 1)][inner], out
- * [outer][dir->length][inner]; no overlap. Shares out large work. */
+ * rounding. The span is the one that amplifies rounding errors least: that
+ * with the most of the knots concerned at its ends, and the longer of two.
+ * in [outer][nspans * (degree + 1)][inner], out [outer][dir->length][inner];
+ * no overlap. Shares out large work. */
 ix_status ix__spans_compose(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
                             size_t outer, size_t inner, const double *in,
                             double *out) IX_MUST_CHECK;

@@ -26,6 +26,11 @@ ix_status ix__mv_alloc(ix_ctx *ctx, int ndirs, const ix_dir *dirs, int ncoords,
 ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,
                             int ncoords) IX_MUST_CHECK;
 
+/* Checks a parameter of direction d against the domain and clamps it, as
+ * ix_mv_eval does. Err IX_EDOMAIN. */
+ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d,
+                       double *t) IX_MUST_CHECK;
+
 /* Stride of a direction inside one axis, in points. */
 size_t ix__mv_stride(const ix_mv *m, int dir);
 

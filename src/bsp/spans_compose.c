@@ -1,0 +1,173 @@
+/* spans_compose.c - Bernstein coefficients of spans to B-spline coefficients.
+ *
+ * The B-spline coefficient i is the blossom value f(t[i+1], .., t[i+degree])
+ * of any span inside its support (Ramshaw 1989). Arguments at the ends a, b
+ * of the chosen span only select coefficients; each other argument u costs one
+ * de Casteljau step and multiplies errors by up to (|u-a| + |u-b|) / (b-a). */
+#include <math.h>
+
+#include "base/threads.h"
+#include "bsp/knots.h"
+#include "bsp/spans.h"
+
+typedef struct {
+    const ix_spans *sp;
+    const int *at;    /* [knots]: which break each knot of the result is */
+    const int *run;   /* [nspans + 2]: knots at or after each break */
+    const double *in; /* [outer][nin][inner] */
+    double *out;      /* [outer][nout][inner] */
+    size_t outer, inner, nin, nout;
+} job;
+
+/* Arguments of coefficient i that are at break j. */
+static int count_at(const job *jb, int i, int j)
+{
+    int d = jb->sp->degree;
+    int lo = jb->run[j] > i + 1 ? jb->run[j] : i + 1;
+    int hi = jb->run[j + 1] < i + d + 1 ? jb->run[j + 1] : i + d + 1;
+
+    return hi > lo ? hi - lo : 0;
+}
+
+static double int_power(double x, int n)
+{
+    double p = 1;
+
+    for (; n > 0; n >>= 1, x *= x)
+        if (n & 1)
+            p *= x;
+    return p;
+}
+
+/* By how much span j amplifies errors of coefficient i; anything not below
+ * limit once it is known to be no better. */
+static double amplification(const job *jb, int i, int j, const int range[2],
+                            double limit)
+{
+    const double *br = jb->sp->breaks;
+    double a = br[j], b = br[j + 1], cost = 1;
+
+    for (int k = range[0]; k <= range[1] && cost < limit; k++)
+        if (k != j && k != j + 1)
+            cost *= int_power((fabs(br[k] - a) + fabs(br[k] - b)) / (b - a),
+                              count_at(jb, i, k));
+    return cost;
+}
+
+/* The span whose blossom gives coefficient i best. */
+static int choose_span(const job *jb, int i)
+{
+    int d = jb->sp->degree, best;
+    int range[2] = {jb->at[i + (d > 0)], jb->at[i + d]};
+    double least = HUGE_VAL;
+
+    if (range[0] == range[1]) /* all at one break: a coefficient itself */
+        return d > 0 && jb->at[i] < range[0] ? range[0] - 1 : range[0];
+    best = range[0];
+    for (int j = range[0]; j < range[1] && least > 1; j++) {
+        double cost = amplification(jb, i, j, range, least);
+
+        if (cost < least) {
+            least = cost;
+            best = j;
+        }
+    }
+    return best;
+}
+
+/* Weights of the coefficients of span j, from *first on, in coefficient i;
+ * returns their number less one. */
+static int blossom(const job *jb, int i, int j, int *first, double *w)
+{
+    const double *br = jb->sp->breaks;
+    int d = jb->sp->degree, e = 0;
+    double gap = br[j + 1] - br[j];
+
+    *first = count_at(jb, i, j + 1);
+    w[0] = 1;
+    for (int k = i + 1; k <= i + d; k++) {
+        int at = jb->at[k];
+        double s, r;
+
+        if (at == j || at == j + 1)
+            continue;
+        s = (br[at] - br[j]) / gap;
+        r = (br[j + 1] - br[at]) / gap;
+        w[e + 1] = s * w[e];
+        for (int q = e; q > 0; q--)
+            w[q] = r * w[q] + s * w[q - 1];
+        w[0] *= r;
+        e++;
+    }
+    return e;
+}
+
+/* out[inner] = sum of w[q] in[q][inner]. */
+static void combine(const double *w, int e, const double *in, size_t inner,
+                    double *out)
+{
+    for (size_t l = 0; l < inner; l++)
+        out[l] = w[0] * in[l];
+    for (int q = 1; q <= e; q++)
+        for (size_t l = 0; l < inner; l++)
+            out[l] += w[q] * in[(size_t)q * inner + l];
+}
+
+static void compose_items(void *arg, size_t begin, size_t end)
+{
+    const job *jb = arg;
+    int order = jb->sp->degree + 1;
+    double w[IX_MAX_ORDER];
+
+    for (size_t i = begin; i < end; i++) {
+        int j = choose_span(jb, (int)i), first;
+        int e = blossom(jb, (int)i, j, &first, w);
+        size_t from = (size_t)j * (size_t)order + (size_t)first;
+
+        for (size_t o = 0; o < jb->outer; o++)
+            combine(w, e, jb->in + (o * jb->nin + from) * jb->inner, jb->inner,
+                    jb->out + (o * jb->nout + i) * jb->inner);
+    }
+}
+
+/* Which break each knot is, and where the knots of each break begin. */
+static ix_status index_knots(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
+                             job *jb)
+{
+    int n = dir->length + dir->order, j = 0;
+    const double *kv;
+    int *at, *run;
+
+    IX_TRY(ix__dir_knots(ctx, dir, &kv));
+    IX_SCRATCH(ctx, at, n);
+    IX_SCRATCH(ctx, run, sp->nspans + 2);
+    run[0] = 0;
+    for (int i = 0; i < n; i++) {
+        while (kv[i] > sp->breaks[j])
+            run[++j] = i;
+        at[i] = j;
+    }
+    run[sp->nspans + 1] = n;
+    jb->at = at;
+    jb->run = run;
+    return IX_OK;
+}
+
+ix_status ix__spans_compose(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
+                            size_t outer, size_t inner, const double *in,
+                            double *out)
+{
+    job jb = {.sp = sp, .in = in, .out = out, .outer = outer, .inner = inner};
+    double rows = (double)outer * (double)inner;
+    ix_mark mk = ix__scratch_mark(ctx);
+    ix_status st;
+
+    jb.nin = (size_t)sp->nspans * (size_t)(sp->degree + 1);
+    jb.nout = (size_t)dir->length;
+    st = index_knots(ctx, sp, dir, &jb);
+    if (st == IX_OK)
+        ix__parallel(ctx, jb.nout, 20 + rows * (2 + sp->degree / 8.0),
+                     compose_items, &jb);
+    ix__scratch_release(ctx, mk);
+    return st;
+}

@@ -1,0 +1,190 @@
+/* spans_extract.c - B-spline coefficients to Bernstein coefficients, span by
+ * span, by knot insertion: convex combinations only.
+ *
+ * A row is one (outer, inner) pair. Rows are taken LANES at a time, packed
+ * next to each other, so that every step is a short vector operation and the
+ * knot ratios are divided out once for all of them. */
+#include <string.h>
+
+#include "base/threads.h"
+#include "bsp/knots.h"
+#include "bsp/spans.h"
+
+#define LANES 8
+
+typedef struct {
+    const double *knots, *breaks;
+    const double *in;
+    double *out;
+    int degree, length, nspans;
+    size_t inner, nrows, nbatches;
+    const int *mu; /* [nspans]: the knot span that holds each span */
+} job;
+
+/* x = r x + s y on n lanes. */
+static inline void mix(double *x, double r, const double *y, double s, int n)
+{
+    for (int l = 0; l < n; l++)
+        x[l] = r * x[l] + s * y[l];
+}
+
+/* On [a, b] inside the knot span mu: buf[degree + 1][n] holds the B-spline
+ * coefficients c[mu - degree .. mu], then the Bernstein coefficients.
+ *
+ * First every knot before the span becomes a: the coefficient of the knots
+ * z .. y' and the one of z' .. y make the one of z' .. y', a. Then every knot
+ * behind it becomes b. Knots that are there already are skipped. */
+static inline __attribute__((always_inline)) void extract_span(
+    const double *knots, int mu, int degree, const double ab[2], double *buf,
+    int n)
+{
+    const double a = ab[0], b = ab[1];
+    int m = 0, e;
+
+    while (m < degree && knots[mu - m] == a)
+        m++;
+    e = degree - m;
+    for (int s = 1; s <= e; s++) {
+        const double *z = knots + mu - degree + s, *y = knots + mu + 1;
+
+        for (int i = 0; i <= e - s; i++) {
+            double g = 1 / (y[i] - z[i]);
+
+            mix(buf + i * n, (y[i] - a) * g, buf + (i + 1) * n, (a - z[i]) * g,
+                n);
+        }
+    }
+    m = 0;
+    while (m < degree && knots[mu + 1 + m] == b)
+        m++;
+    for (int r = 1; r <= degree - m; r++) {
+        const double *y = knots + mu + 1 - r;
+
+        for (int j = degree; j >= r + m; j--) {
+            double g = 1 / (y[j] - a);
+
+            mix(buf + j * n, (b - a) * g, buf + (j - 1) * n, (y[j] - b) * g, n);
+        }
+    }
+}
+
+/* Offset of point 0 of row r in an array with n points a row. */
+static size_t row_offset(const job *jb, size_t r, size_t n)
+{
+    return r / jb->inner * n * jb->inner + r % jb->inner;
+}
+
+static void extract_one(const job *jb, int span, size_t row, double *buf)
+{
+    int order = jb->degree + 1, first = jb->mu[span] - jb->degree;
+    size_t n = (size_t)jb->nspans * (size_t)order;
+    const double *in = jb->in + row_offset(jb, row, (size_t)jb->length);
+    double *out = jb->out + row_offset(jb, row, n) +
+                  (size_t)span * (size_t)order * jb->inner;
+
+    for (int i = 0; i < order; i++)
+        buf[i] = in[(size_t)((first + i) % jb->length) * jb->inner];
+    extract_span(jb->knots, jb->mu[span], jb->degree, jb->breaks + span, buf,
+                 1);
+    for (int i = 0; i < order; i++)
+        out[(size_t)i * jb->inner] = buf[i];
+}
+
+static void extract_lanes(const job *jb, int span, size_t row, double *buf)
+{
+    int order = jb->degree + 1, first = jb->mu[span] - jb->degree;
+    size_t n = (size_t)jb->nspans * (size_t)order;
+    size_t from[LANES], to[LANES];
+
+    for (size_t l = 0; l < LANES; l++) {
+        size_t r = row + l < jb->nrows ? row + l : jb->nrows - 1;
+
+        from[l] = row_offset(jb, r, (size_t)jb->length);
+        to[l] = row_offset(jb, r, n) + (size_t)span * (size_t)order * jb->inner;
+    }
+    for (int i = 0; i < order; i++) {
+        const double *in = jb->in +
+                           (size_t)((first + i) % jb->length) * jb->inner;
+
+        for (int l = 0; l < LANES; l++)
+            buf[i * LANES + l] = in[from[l]];
+    }
+    extract_span(jb->knots, jb->mu[span], jb->degree, jb->breaks + span, buf,
+                 LANES);
+    for (int i = 0; i < order; i++) {
+        double *out = jb->out + (size_t)i * jb->inner;
+
+        for (int l = 0; l < LANES; l++) /* a row twice: the same value twice */
+            out[to[l]] = buf[i * LANES + l];
+    }
+}
+
+static void extract_items(void *arg, size_t begin, size_t end)
+{
+    const job *jb = arg;
+    double buf[IX_MAX_ORDER * LANES];
+
+    for (size_t k = begin; k < end; k++) {
+        int span = (int)(k / jb->nbatches);
+        size_t row = k % jb->nbatches * LANES;
+
+        if (jb->nrows - row == 1)
+            extract_one(jb, span, row, buf);
+        else
+            extract_lanes(jb, span, row, buf);
+    }
+}
+
+/* The knot span of each span's middle: a break may be off by an ulp. */
+static ix_status find_spans(ix_ctx *ctx, const ix_dir *dir, const ix_spans *sp,
+                            const int **mu)
+{
+    int last = dir->basis == IX_BSPLINE ? ix__dir_npoints(dir) - 1 : 0;
+    int *at, k = dir->order - 1;
+
+    IX_SCRATCH(ctx, at, sp->nspans);
+    for (int j = 0; j < sp->nspans; j++) {
+        double mid = 0.5 * (sp->breaks[j] + sp->breaks[j + 1]);
+
+        while (k < last && mid >= dir->knots[k + 1])
+            k++;
+        at[j] = k;
+    }
+    *mu = at;
+    return IX_OK;
+}
+
+static ix_status extract(ix_ctx *ctx, const ix_dir *dir, const ix_spans *sp,
+                         job *jb)
+{
+    double steps = (double)dir->order * dir->order;
+
+    jb->degree = dir->order - 1;
+    jb->length = dir->length;
+    jb->nspans = sp->nspans;
+    jb->breaks = sp->breaks;
+    jb->nbatches = (jb->nrows + LANES - 1) / LANES;
+    if (jb->nrows == 0)
+        return IX_OK;
+    IX_TRY(ix__dir_knots(ctx, dir, &jb->knots));
+    IX_TRY(find_spans(ctx, dir, sp, &jb->mu));
+    ix__parallel(ctx, (size_t)sp->nspans * jb->nbatches,
+                 20 + 2 * steps + 10 * dir->order, extract_items, jb);
+    return IX_OK;
+}
+
+ix_status ix__spans_extract(ix_ctx *ctx, const ix_dir *dir, const ix_spans *sp,
+                            size_t outer, size_t inner, const double *in,
+                            double *out)
+{
+    job jb = {.in = in, .out = out, .inner = inner, .nrows = outer * inner};
+    ix_mark mk;
+    ix_status st;
+
+    if (dir->basis == IX_POWER)
+        return IX_FAIL(ctx, IX_EARG, "a power basis has no spans");
+    mk = ix__scratch_mark(ctx);
+    st = extract(ctx, dir, sp, &jb);
+    ix__scratch_release(ctx, mk);
+    return st;
+}
