@@ -1,14 +1,16 @@
 # iritx. Usual targets: all demo check check-san lint bench install dist clean
 #   make help        lists them
 #   CFG=release|debug|asan|hard|cov   build configuration (default release)
-#   MOD=sym          only this floor's unit tests in "check-unit"
+#   MOD=sym          only this floor's unit tests
 #   CC=clang         another compiler (its objects are kept apart)
+#   V=1              shows the commands
 # Nothing below needs a change when a file is added: drop it in its folder.
 
 CFG     ?= release
 PREFIX  ?= /usr/local
 V       ?= 0
 VERSION := $(shell cat VERSION)
+SOVER   := $(firstword $(subst ., ,$(VERSION)))
 CCNAME  := $(notdir $(firstword $(CC)))
 B       := build/$(CFG)$(if $(filter cc gcc,$(CCNAME)),,-$(CCNAME))
 Q       := $(if $(filter 1,$(V)),,@)
@@ -17,6 +19,7 @@ Q       := $(if $(filter 1,$(V)),,@)
 PACKAGES := build-essential pkg-config zlib1g-dev libcmocka-dev python3
 PKGS     := zlib
 
+# --- flags -------------------------------------------------------------------
 WARN := -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Wstrict-prototypes \
         -Wmissing-prototypes -Wold-style-definition -Wwrite-strings -Wundef \
         -Wdouble-promotion -Wvla -Wpointer-arith -Wcast-qual -Wformat=2
@@ -35,6 +38,7 @@ ALL_CPPFLAGS = -Iinclude -Isrc -Itests -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CP
 LIBS         = $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) $(LDFLAGS)
 
+# --- files -------------------------------------------------------------------
 LIB_SRC   := $(filter-out src/app/%,$(wildcard src/*/*.c))
 APP_SRC   := $(wildcard src/app/*.c)
 HARNESS   := $(wildcard tests/harness/*.c)
@@ -45,16 +49,17 @@ obj        = $(patsubst %.c,$(B)/%.o,$(1))
 bin        = $(patsubst %.c,$(B)/%,$(1))
 LIB       := $(B)/libiritx.a
 SHLIB     := $(B)/libiritx.so
-PROG      := $(B)/iritx
+PROG      := $(if $(APP_SRC),$(B)/iritx)
+TESTS     := $(call bin,$(TEST_SRC))
 ALL_OBJ   := $(call obj,$(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS) $(BENCH_SRC))
 
-.PHONY: all help setup demo check check-unit check-script check-san lint check-layers \
-        check-headers check-symbols bench install uninstall dist clean format format-check FORCE
-.SECONDARY: $(ALL_OBJ) $(call bin,$(TEST_SRC) $(BENCH_SRC))
+.PHONY: all help setup demo check check-san lint analyze bench install \
+        uninstall dist clean format format-check FORCE
+.SECONDARY: $(ALL_OBJ) $(TESTS) $(call bin,$(BENCH_SRC))
 .DELETE_ON_ERROR:
 
 all: setup $(LIB) $(SHLIB) $(PROG)                  ## library and program (build/iritx)
-	$(Q)$(if $(filter build/release,$(B)),cp -f $(PROG) build/iritx)
+	$(Q)$(if $(filter build/release,$(B)),$(if $(PROG),cmp -s $(PROG) build/iritx || cp -f $(PROG) build/iritx))
 
 help:                                               ## this list
 	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t18
@@ -64,6 +69,7 @@ setup: build/.setup                                 ## install missing Debian pa
 build/.setup: scripts/dev/setup Makefile
 	@mkdir -p build; scripts/dev/setup $(PACKAGES); touch $@
 
+# --- building ----------------------------------------------------------------
 $(B)/.flags: FORCE
 	@mkdir -p $(B); printf '%s\n' '$(CC) $(ALL_CFLAGS) $(ALL_CPPFLAGS)' | cmp -s - $@ || \
 	 printf '%s\n' '$(CC) $(ALL_CFLAGS) $(ALL_CPPFLAGS)' > $@
@@ -76,17 +82,79 @@ $(B)/.srcs: FORCE
 $(LIB): $(call obj,$(LIB_SRC)) $(B)/.srcs
 	@echo "  AR    $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
-$(SHLIB): $(call obj,$(LIB_SRC)) $(B)/.srcs
+$(SHLIB): $(call obj,$(LIB_SRC)) $(B)/.srcs src/exports
 	@echo "  LD    $@"
-	$(Q)$(LINK) -shared -Wl,-soname,libiritx.so.0 $(filter %.o,$^) $(LIBS) -o $@
-$(PROG): $(call obj,$(APP_SRC)) $(LIB)
+	$(Q)$(LINK) -shared -Wl,-soname,libiritx.so.$(SOVER) -Wl,--version-script,src/exports \
+	 $(filter %.o,$^) $(LIBS) -o $@
+$(B)/iritx: $(call obj,$(APP_SRC)) $(LIB)
 	@echo "  LD    $@"
 	$(Q)$(LINK) $^ $(LIBS) -o $@
-$(call bin,$(TEST_SRC)): %: %.o $(call obj,$(HARNESS)) $(LIB)
+$(TESTS): %: %.o $(call obj,$(HARNESS)) $(LIB)
 	$(Q)$(LINK) $^ $(LIBS) -lcmocka -o $@
 $(call bin,$(BENCH_SRC)): %: %.o $(LIB)
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 
+# --- checking ----------------------------------------------------------------
+# Each part ends with a line "N passed, N failed"; tests/harness/check adds up.
+RUN_unit      = tests/unit/run $(TESTS)
+RUN_script    = tests/script/run $(B)/iritx
+RUN_golden    = tests/golden/run $(B)/iritx
+RUN_roundtrip = tests/roundtrip/run $(B)/iritx
+RUN_hostile   = tests/hostile/run $(B)/iritx
+RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
+PARTS := unit lint
+
+check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
+	@tests/harness/check $(foreach p,$(PARTS),"$(RUN_$(p))")
+check-san:                                          ## the same with address and undefined behaviour sanitizers
+	@$(MAKE) --no-print-directory CFG=asan check
+check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
+check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
+check-script check-golden check-roundtrip check-hostile: $(PROG)
+$(addprefix check-,$(PARTS)): check-%:
+	@tests/harness/check "$(RUN_$*)"
+.PHONY: $(addprefix check-,$(PARTS))
+
+FMT = $(shell find include src tests bench irit_ext -name '*.[ch]' 2>/dev/null)
+lint: check-lint format-check analyze               ## check-lint, clang-format, clang-tidy, cppcheck
+analyze:                                            ## clang-tidy and cppcheck, if installed
+	@scripts/dev/analyze $(LIB_SRC) $(APP_SRC)
+format:                                             ## rewrite the sources with clang-format
+	clang-format -i $(FMT)
+format-check:                                       ## do the sources look as clang-format wants?
+	@if command -v clang-format >/dev/null; then clang-format --dry-run -Werror $(FMT); \
+	 else echo "clang-format is not installed: skipped"; fi
+
+bench: $(call bin,$(BENCH_SRC))                     ## timings, as one table
+	@CC='$(CC)' bench/run $(B) $^
+
+# --- using -------------------------------------------------------------------
+demo: all                                           ## run scripts/demo.irt
+	@scripts/dev/demo $(B)/iritx
+
+# --- installing --------------------------------------------------------------
+D := $(DESTDIR)$(PREFIX)
+install: all                                        ## into PREFIX (/usr/local), below DESTDIR
+	install -d $(D)/bin $(D)/lib/pkgconfig $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx
+	install -m 644 $(PUB_HDR) $(D)/include/iritx
+	install -m 644 $(LIB) $(D)/lib
+	install -m 755 $(SHLIB) $(D)/lib/libiritx.so.$(VERSION)
+	ln -sf libiritx.so.$(VERSION) $(D)/lib/libiritx.so.$(SOVER)
+	ln -sf libiritx.so.$(SOVER) $(D)/lib/libiritx.so
+	$(if $(PROG),install -m 755 $(PROG) $(D)/bin)
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|' \
+	 scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
+	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx
+	for f in scripts/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
+uninstall:                                          ## remove what "install" put there
+	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc
+	rm -f $(D)/bin/iritx $(D)/lib/libiritx.a $(D)/lib/libiritx.so $(D)/lib/libiritx.so.*
+dist:                                               ## build/iritx-VERSION.tar.gz
+	@mkdir -p build
+	@if git rev-parse HEAD >/dev/null 2>&1; \
+	 then git archive --prefix=iritx-$(VERSION)/ -o build/iritx-$(VERSION).tar.gz HEAD; \
+	 else tar -czf build/iritx-$(VERSION).tar.gz --exclude=./build --transform='s,^\.,iritx-$(VERSION),' .; fi
+	@echo build/iritx-$(VERSION).tar.gz
 clean:                                              ## remove everything built
 	rm -rf build
 
