@@ -9,9 +9,16 @@
 
 #define IX_MAX_DEPTH 256
 
+/* Neither read nor written: text of more bytes. */
+#define IX_MAX_TEXT ((size_t)1 << 30)
+
 typedef struct {
     const char *float_format; /* NULL: shortest round-trip numbers; else a
                                  printf-style format such as "%-16.14lg" */
+    double tiny; /* with a format: smaller numbers are written 0; 0 stands
+                    for ix__itd_tiny(float_format) */
+    bool file;   /* true: the text can be read back (strings are escaped, NaN
+                    and infinity refused); false: a dump for the eye */
 } ix_write_opts;
 
 /* Where reading stopped with an error, for messages of a caller. */
@@ -26,12 +33,20 @@ typedef struct {
  * ..."), IX_ENOMEM. */
 ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
                        size_t n, ix_obj **out) IX_MUST_CHECK;
-/* Appends o in the layout of spec itd-format 10, starting at a column. */
+/* Appends o in the layout of spec itd-format 10: whole lines, indented to
+ * column. Err IX_EARG float_format is none; IX_EUNABLE lists nested deeper
+ * than IX_MAX_DEPTH, or so often shared that the text would exceed
+ * IX_MAX_TEXT; IX_EDOMAIN w->file and a number is not finite; IX_ENOMEM. On
+ * failure b holds part of the text. */
 ix_status ix__itd_write(ix_buf *b, const ix_obj *o, const ix_write_opts *w,
                         int column) IX_MUST_CHECK;
 /* Appends one number in the writer's form (14 or so digits, trailing zeros
  * cut, tiny values 0; or shortest). */
 void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
+/* Below this a format writes 0: the least power of ten from 1e-25 to 1e-6
+ * that it does not print as zero (spec/itd-format 10.3). 1e-13 for the
+ * default "%-16.14lg" itself. */
+double ix__itd_tiny(const char *float_format);
 
 /* --- files ------------------------------------------------------------------
  */

@@ -143,6 +143,12 @@ ix_status ix__obj_assign(ix_ctx *ctx, ix_obj *dst,
 /* The same, but takes over the caller's reference to src, and moves its value
  * if that was the last one: cannot fail then. */
 ix_status ix__obj_move(ix_ctx *ctx, ix_obj *dst, ix_obj *src) IX_MUST_CHECK;
+/* Checks that o can be written out: lists (and object attributes) nested at
+ * most max_depth deep, none inside itself, and no more than max_bytes of text
+ * by a lower estimate that counts every path through shared lists. Err
+ * IX_EUNABLE. */
+ix_status ix__obj_check_size(ix_ctx *ctx, const ix_obj *o, int max_depth,
+                             size_t max_bytes) IX_MUST_CHECK;
 /* name is copied and converted to upper case; NULL, "" or "NONE": no name. */
 ix_status ix__obj_set_name(ix_ctx *ctx, ix_obj *o,
                            const char *name) IX_MUST_CHECK;
