@@ -1,0 +1,225 @@
+/* geom_srf.h - constructors of surfaces and trivariates, and their normals.
+ *
+ * Directions: u is direction 0, v direction 1; control points have u fastest.
+ * All functions borrow their inputs and return a new reference in *out, NULL
+ * unless IX_OK. Inputs may be Bezier, power or B-spline; power becomes Bezier,
+ * and where one input is a B-spline the result is one. Every function may
+ * return IX_ENOMEM; the other errors are listed. */
+#ifndef IRITX_GEOM_SRF_H
+#define IRITX_GEOM_SRF_H
+
+#include "iritx/mv.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- layers --------------------------------------------------------------- */
+
+/* The linear blend from a (last parameter 0) to b (1): (1-t) a + t b.
+ *
+ * In    a, b  as many directions each; made compatible, b's domains are mapped
+ *             onto a's; if only one of them is a B-spline, to [0, 1]
+ * Out   *out  one direction more, of order 2 on [0, 1]; Bezier if both are
+ * Err   IX_EARG numbers of directions differ */
+ix_status ix_srf_ruled(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* n >= 2 multivariates as control layers of a new last direction.
+ *
+ * In    order  of the new direction, >= 2; lowered to n if larger
+ *       kv     IX_KV_OPEN, _FLOAT: uniform on [0, 1]; IX_KV_PERIODIC: uniform
+ *              steps of 1 / (n - order + 1), one period long
+ * Out   Bezier if all layers are and order = n and kv is open
+ * Err   IX_EARG n, order, kv, or layers with different directions */
+ix_status ix_srf_layers(ix_ctx *ctx, int n, const ix_mv *const *layers,
+                        int order, ix_kv_kind kv, ix_mv **out) IX_MUST_CHECK;
+
+/* m moved along vec: m + t vec, t in [0, 1] the new last direction. The point
+ * type is widened to as many coordinates as vec needs.
+ * Err   IX_EARG vec is zero or not finite */
+ix_status ix_srf_extrude(ix_ctx *ctx, const ix_mv *m, const double vec[3],
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* Cubic Hermite blend of curves, u the Hermite direction (order 4):
+ * position b1 and derivative t1 at u = 0, b2 and t2 at u = 1; control rows
+ * b1, b1 + t1/3, b2 - t2/3, b2. The curves' parameter is v. Exact; rational
+ * input gets common denominators. */
+ix_status ix_srf_hermite(ix_ctx *ctx, const ix_mv *b1, const ix_mv *b2,
+                         const ix_mv *t1, const ix_mv *t2,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* --- revolution ------------------------------------------------------------
+ */
+
+/* How a full turn is represented. */
+typedef enum {
+    IX_TURN_RATIONAL,  /* exact: order 3, 9 points, domain [0, 4] */
+    IX_TURN_POLYNOMIAL /* cubic arcs, radius within 2.8e-4: order 4, 13 points,
+                          domain [0, 4] */
+} ix_turn;
+
+/* The curve turned about the Z axis, counter-clockwise seen from +Z, beginning
+ * at the curve itself. u is the rotation, one unit a quarter turn; v the
+ * curve's parameter.
+ * Err   IX_EARG a rational curve with IX_TURN_POLYNOMIAL, not one direction */
+ix_status ix_srf_revolve(ix_ctx *ctx, const ix_mv *crv, ix_turn turn,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* The part between the angles a0 and a1 in degrees (exchanged if a0 > a1): u
+ * runs over [0, t(a1 - a0)] where t is the parameter of that angle on the
+ * rational circle. 360 degrees or more give the full turn.
+ * Err   IX_EARG a0 = a1 or not finite */
+ix_status ix_srf_revolve_part(ix_ctx *ctx, const ix_mv *crv, double a0,
+                              double a1, ix_mv **out) IX_MUST_CHECK;
+
+/* As the two above, about the axis through the origin in direction axis; full
+ * turn if a1 - a0 is 360 or more. Err IX_EARG axis is zero. */
+ix_status ix_srf_revolve_axis(ix_ctx *ctx, const ix_mv *crv, double a0,
+                              double a1, const double axis[3],
+                              ix_mv **out) IX_MUST_CHECK;
+
+/* Parameter in [0, 4] of the point at the given angle, 0 .. 360 degrees, of
+ * the circle of four rational quadratic arcs: q + r / (1 + r) for the quarter
+ * q and r = sqrt(2) T / (1 - T), T the tangent of half the remaining angle. */
+double ix_circle_param(double degrees);
+
+/* --- patches from boundaries -----------------------------------------------
+ */
+
+/* Bilinearly blended patch of four boundary curves (Coons 1967):
+ * S(., 0) = c1, S(., 1) = c2, S(0, .) = c3, S(1, .) = c4, domain [0, 1]^2.
+ * Rational boundaries whose weights agree at the corners are blended in
+ * homogeneous coordinates, which keeps the degree; else as fractions.
+ * Err   IX_EARG corners apart by more than 1e-5 of the size of the corners */
+ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                         const ix_mv *c3, const ix_mv *c4,
+                         ix_mv **out) IX_MUST_CHECK;
+/* A closed curve cut at quarters of its domain, then ix_srf_boolsum. */
+ix_status ix_srf_boolone(ix_ctx *ctx, const ix_mv *crv,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* --- sums, products, distances ----------------------------------------------
+ */
+
+/* S(u, v) = a(u) + b(v); any number of directions each, a's first. */
+ix_status ix_srf_algsum(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                        ix_mv **out) IX_MUST_CHECK;
+/* S(u, v) = (x1 x2, x1 y2, y1) of a profile a = (x1, y1)(u) and a trajectory
+ * b = (x2, y2)(v). Err IX_EARG fewer than two coordinates. */
+ix_status ix_srf_swung(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                       ix_mv **out) IX_MUST_CHECK;
+
+typedef enum {
+    IX_DIST_VECTOR,   /* a - b */
+    IX_DIST_SQUARED,  /* |a - b|^2 */
+    IX_DIST_NORMAL_A, /* <a - b, N_a>, N_a the normal below, not normalised */
+    IX_DIST_NORMAL_B  /* <a - b, N_b> */
+} ix_dist;
+/* A distance function over the product of the domains, a's directions first.
+ * The normal of a planar curve is (y', -x'), that of a surface S_v x S_u.
+ * Err   IX_EARG a normal of anything else is asked for */
+ix_status ix_srf_distance(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                          ix_dist what, ix_mv **out) IX_MUST_CHECK;
+
+/* --- sweeping ----------------------------------------------------------------
+ */
+
+typedef enum {
+    IX_FRAME_MINIMAL, /* rotation minimising; begins with the least rotation
+                         that takes +Z to the tangent */
+    IX_FRAME_VECTOR,  /* the section's Y axis is as near to vec as possible */
+    IX_FRAME_CURVE    /* the same with a vector field along the axis */
+} ix_frame;
+
+typedef struct {
+    int nsections; /* >= 1; several are spread evenly over the axis and
+                      blended linearly in between */
+    const ix_mv *const *sections; /* curves near the XY plane */
+    const ix_mv *axis;
+    double factor;      /* constant scale */
+    const ix_mv *scale; /* NULL or a curve whose second coordinate (the only
+                           one of a scalar curve) multiplies factor; its domain
+                           is mapped to the axis' */
+    ix_frame frame;
+    double vec[3];
+    const ix_mv *field; /* domain mapped to the axis' */
+    int refine;         /* knots inserted in the axis before, evenly spaced */
+} ix_sweep;
+
+/* u along the section, v along the axis. At each control point of the axis
+ * stands the section, scaled, in the frame at that point's node (Greville
+ * abscissa): the section's origin runs exactly along the axis, the section is
+ * exact where the axis is straight and approximate elsewhere (refine it).
+ * Frames by double reflection (Wang, Juettler, Zheng, Liu 2008).
+ * Err   IX_EARG a section or axis that is no curve, more than 3 coordinates;
+ *       IX_EDOMAIN the axis has a zero tangent, or a binormal is parallel to
+ *       it, at the parameter told */
+ix_status ix_srf_sweep(ix_ctx *ctx, const ix_sweep *s,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* --- normals, tangents
+ * --------------------------------------------------------- */
+
+/* Unit normal S_v x S_u at (u, v). At a degenerate point it is taken a little
+ * inside the domain. Err IX_EDOMAIN outside, at a pole, or no normal there. */
+ix_status ix_srf_normal(ix_ctx *ctx, const ix_mv *srf, double u, double v,
+                        double n[3]) IX_MUST_CHECK;
+/* The partial derivative of the projected surface in direction dir, 3
+ * coordinates (missing ones 0). Err IX_EDOMAIN outside or at a pole. */
+ix_status ix_srf_tangent(ix_ctx *ctx, const ix_mv *srf, int dir, double u,
+                         double v, double t[3]) IX_MUST_CHECK;
+/* The field S_v x S_u, exact and not normalised: three coordinates, polynomial
+ * of degrees 2d - 1, or for rational S = X/w the lowest common form
+ * (w X_v x X_u - w_v X x X_u - w_u X_v x X) / w^3 of degrees 3d.
+ * Err   IX_EARG not a surface with two or three coordinates */
+ix_status ix_srf_normal_field(ix_ctx *ctx, const ix_mv *srf,
+                              ix_mv **out) IX_MUST_CHECK;
+/* A cone that holds all normals S_v x S_u: unit axis and half angle in
+ * radians, from the control vectors of the field; pi where they do not fit
+ * into a half space. Err IX_EDOMAIN the field vanishes identically. */
+ix_status ix_srf_normal_cone(ix_ctx *ctx, const ix_mv *srf, double axis[3],
+                             double *half_angle) IX_MUST_CHECK;
+
+/* --- other representations
+ * ------------------------------------------------------ */
+
+/* (1 - t) a + t b, control point by control point.
+ * Err   IX_EARG a and b differ in directions, orders, lengths or point type,
+ *       or in a knot by more than 1e-5 of the domain */
+ix_status ix_mv_morph(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, double t,
+                      ix_mv **out) IX_MUST_CHECK;
+/* The same shape with a parameter transformed by the Moebius map that makes
+ * (last weight) / (first weight) of the first row of that direction equal to
+ * ratio; 0 stands for 1. Domain kept; B-spline knots move (Lee, Lucian 1991).
+ * Err   IX_EARG order 1, ratio negative; IX_EDOMAIN end weights of different
+ *       signs or zero */
+ix_status ix_mv_moebius(ix_ctx *ctx, const ix_mv *m, int dir, double ratio,
+                        ix_mv **out) IX_MUST_CHECK;
+
+/* Integral of B_i,order1(t) B_j,order2(t) over the whole line, both on the
+ * knots of dir (a Bezier direction: 0 and 1, order times each).
+ * Num   exact up to rounding: Gauss-Legendre of sufficient degree on each span
+ * Err   IX_EARG an order or index out of range, power basis */
+ix_status ix_bsp_inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
+                       const int index[2], double *out) IX_MUST_CHECK;
+
+/* --- triangular Bezier patches
+ * --------------------------------------------------- */
+
+/* Control points double[naxes][n (n+1) / 2] for order n: index j over the
+ * power of w outermost, i over that of v inside, so that point 0 belongs to
+ * u^(n-1). Value at barycentric (u, v, w), u + v + w = 1 within 1e-5.
+ * Err   IX_EARG order < 1 or > IX_MAX_ORDER; IX_EDOMAIN the sum is not 1 */
+ix_status ix_tri_eval(ix_ctx *ctx, int order, int naxes, const double *pts,
+                      const double uvw[3], double *out) IX_MUST_CHECK;
+/* Control points of the derivative (order - 1; an order of 1 gives one zero),
+ * every axis by itself: dir 0 with respect to u and 1 to v, both with
+ * w = 1 - u - v; dir 2 with respect to w with u = 1 - v - w. */
+void ix_tri_derive(int order, int naxes, int dir, const double *pts,
+                   double *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
