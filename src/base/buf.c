@@ -30,10 +30,11 @@ static bool reserve(ix_buf *b, size_t extra)
 
     if (b->failed)
         return false;
-    if (__builtin_add_overflow(b->len, extra + 1, &need)) {
+    if (extra >= SIZE_MAX / 4 - b->len) { /* so that doubling cannot wrap */
         b->failed = true;
         return false;
     }
+    need = b->len + extra + 1;
     if (need <= b->cap)
         return true;
     cap = b->cap ? b->cap : 256;
