@@ -108,10 +108,6 @@ ix_status ix__exec_text(ix_interp *in, const char *text) IX_MUST_CHECK;
 /* IX_OK if the options allow SYSTEM, else IX_EIO with what would. */
 ix_status ix__system_check(ix_interp *in) IX_MUST_CHECK;
 
-/* EXEC: runs text at once as one statement (a ";" is added if it has none);
- * names are looked up as ix__var_find does, so it sees and assigns the
- * parameters and locals of the running functions. */
-ix_status ix__exec_text(ix_interp *in, const char *text) IX_MUST_CHECK;
 /* INCLUDE: queues a script (".irt" added if missing) to be run after the rest
  * of the present line. A file that cannot be read is a soft error, reported
  * here. Err IX_EARG it is being read already, or nested too deeply. */

@@ -1,0 +1,278 @@
+/* lexer.c - tokens of one statement.
+ *
+ * Characters come from the reader's present line; when it is used up the next
+ * one follows without a separator. Every line that a token stands on is kept
+ * in the unit, so that messages can show it. */
+#include <ctype.h>
+#include <string.h>
+
+#include "lang/interp_impl.h"
+#include "lang/reader_impl.h"
+
+typedef struct {
+    ix__reader *rd;
+    ix__unit *u;
+    ix_status st; /* of reading a line */
+} lexer;
+
+/* --- characters ------------------------------------------------------------
+ */
+
+/* The next character without consuming it, 0 at the end of input. */
+static int peek(lexer *lx)
+{
+    ix__reader *rd = lx->rd;
+
+    while (rd->pos >= rd->line.len) {
+        bool more = false;
+
+        if (lx->st == IX_OK)
+            lx->st = ix__reader_line(rd, &more);
+        if (lx->st == IX_OK && more)
+            lx->st = ix__unit_add_line(lx->u, rd->file, rd->number,
+                                       rd->line.data ? rd->line.data : "",
+                                       rd->line.len);
+        if (lx->st != IX_OK || !more)
+            return 0;
+    }
+    return (unsigned char)rd->line.data[rd->pos];
+}
+
+static ix__pos here(const lexer *lx)
+{
+    return (ix__pos){lx->u->nlines ? lx->u->nlines - 1 : 0,
+                     (unsigned)lx->rd->pos + 1};
+}
+
+static ix_status fail(lexer *lx, ix__pos pos, const char *text)
+{
+    if (lx->st != IX_OK)
+        return lx->st;
+    (void)IX_FAIL(lx->rd->in->ctx, IX_EPARSE, "%s", text);
+    (void)ix__at(lx->rd->in, lx->u, pos);
+    return IX_EPARSE;
+}
+
+/* Blanks and "#" comments. */
+static int skip_blanks(lexer *lx)
+{
+    int c;
+
+    while ((c = peek(lx)) == ' ' || c == '#') {
+        if (c == '#')
+            lx->rd->pos = lx->rd->line.len;
+        else
+            lx->rd->pos++;
+    }
+    return c;
+}
+
+/* COMMENT c ... c, the word being read already. */
+static ix_status skip_comment(lexer *lx, ix__pos start)
+{
+    int c, end;
+
+    while ((end = peek(lx)) == ' ')
+        lx->rd->pos++;
+    if (!end)
+        return fail(lx, start, "COMMENT without a delimiter character");
+    lx->rd->pos++;
+    while ((c = peek(lx)) != end) {
+        if (!c)
+            return fail(lx, start,
+                        "COMMENT block is never closed (the input ends)");
+        lx->rd->pos++;
+    }
+    lx->rd->pos++;
+    return IX_OK;
+}
+
+/* --- tokens -----------------------------------------------------------------
+ */
+
+/* A run of characters that may be broken over lines. The token stays within
+ * max characters. */
+static ix_status keep(lexer *lx, ix_buf *b, size_t max, ix__pos pos,
+                      const char *what)
+{
+    if (b->len > max)
+        return fail(lx, pos, what);
+    ix__buf_putc(b, (char)peek(lx));
+    lx->rd->pos++;
+    return ix__buf_check(b);
+}
+
+static ix_status read_number(lexer *lx, ix_buf *b, ix__token *t)
+{
+    int c, last = 0;
+    const char *end;
+
+    while (c = peek(lx), isdigit(c) || c == '.' || c == 'e' || c == 'E' ||
+                             (c == '-' && (last == 'e' || last == 'E'))) {
+        IX_TRY(keep(lx, b, IX_MAX_NAME, t->pos, "number is too long"));
+        last = c;
+    }
+    IX_TRY(lx->st);
+    end = ix_num_parse(b->data, b->data + b->len, &t->num);
+    /* "1.5E" is 1.5: the sign after E may only be a minus. */
+    if (!end || (*end && (toupper((unsigned char)*end) != 'E' || end[1])))
+        return fail(lx, t->pos, "malformed number");
+    if (t->num > 1.7976931348623157e308)
+        return fail(lx, t->pos, "number is too large for a double");
+    t->kind = T_NUMBER;
+    return IX_OK;
+}
+
+static ix_status read_name(lexer *lx, ix_buf *b, ix__token *t)
+{
+    int c;
+
+    while (c = peek(lx), isalnum(c) || c == '_') {
+        if (b->len >= IX_MAX_NAME)
+            return fail(lx, t->pos, "name is longer than 255 characters");
+        ix__buf_putc(b, (char)toupper(c));
+        lx->rd->pos++;
+    }
+    IX_TRY(lx->st);
+    IX_TRY(ix__buf_check(b));
+    t->kind = T_NAME;
+    return IX_OK;
+}
+
+static ix_status read_string(lexer *lx, ix_buf *b, ix__token *t)
+{
+    int c;
+
+    lx->rd->pos++;
+    while ((c = peek(lx)) != '"') {
+        if (c == '\\') {
+            lx->rd->pos++;
+            c = peek(lx);
+        }
+        if (!c)
+            return fail(lx, t->pos, "string is never closed (the input ends)");
+        IX_TRY(keep(lx, b, IX_MAX_STRING, t->pos,
+                    "string is longer than 65536 characters"));
+    }
+    lx->rd->pos++;
+    t->kind = T_STRING;
+    return ix__buf_check(b);
+}
+
+/* One- and two-character tokens; second 0: only the single form. */
+static const struct {
+    char first, second;
+    ix__tok_kind kind;
+    ix__op op;
+} symbols[] = {
+    {'(', 0, T_LPAREN, 0},    {')', 0, T_RPAREN, 0},
+    {',', 0, T_COMMA, 0},     {':', 0, T_COLON, 0},
+    {';', 0, T_SEMICOLON, 0}, {'+', 0, T_OP, OP_ADD},
+    {'-', 0, T_OP, OP_SUB},   {'*', 0, T_OP, OP_MUL},
+    {'/', 0, T_OP, OP_DIV},   {'^', 0, T_OP, OP_POW},
+    {'=', '=', T_OP, OP_EQ},  {'=', 0, T_OP, OP_ASSIGN},
+    {'!', '=', T_OP, OP_NE},  {'!', 0, T_OP, OP_NOT},
+    {'<', '=', T_OP, OP_LE},  {'<', 0, T_OP, OP_LT},
+    {'>', '=', T_OP, OP_GE},  {'>', 0, T_OP, OP_GT},
+    {'&', '&', T_OP, OP_AND}, {'|', '|', T_OP, OP_OR},
+};
+
+static ix_status bad_character(lexer *lx, ix__pos pos, int c)
+{
+    char text[64];
+
+    if (c == '&' || c == '|')
+        (void)snprintf(text, sizeof text, "a single '%c'; write '%c%c'", c, c,
+                       c);
+    else
+        (void)snprintf(text, sizeof text, "character '%c' has no meaning here",
+                       c);
+    return fail(lx, pos, text);
+}
+
+static ix_status read_symbol(lexer *lx, int c, ix__token *t)
+{
+    int second;
+
+    lx->rd->pos++;
+    /* A doubled character may be broken over lines only where one is
+     * possible: a terminator must not read the next line. */
+    second = strchr("=!<>&|", c) ? peek(lx) : 0;
+    IX_TRY(lx->st);
+    for (size_t i = 0; i < sizeof symbols / sizeof *symbols; i++) {
+        if (symbols[i].first != c ||
+            (symbols[i].second && symbols[i].second != second))
+            continue;
+        lx->rd->pos += symbols[i].second != 0;
+        t->kind = symbols[i].kind;
+        t->op = symbols[i].op;
+        return IX_OK;
+    }
+    return bad_character(lx, t->pos, c);
+}
+
+/* Names, numbers and strings, collected in b and then kept in the unit. */
+static ix_status read_text(lexer *lx, int c, ix__token *t)
+{
+    ix_buf *b = &lx->rd->word;
+
+    ix__buf_clear(b);
+    if (isalpha(c))
+        IX_TRY(read_name(lx, b, t));
+    else
+        IX_TRY(c == '"' ? read_string(lx, b, t) : read_number(lx, b, t));
+    t->len = b->len;
+    t->text = ix__unit_text(lx->u, b->data ? b->data : "", b->len);
+    return t->text ? IX_OK : IX_ENOMEM;
+}
+
+static ix_status lex(lexer *lx, ix__token *t)
+{
+    int c;
+
+    for (;;) {
+        c = skip_blanks(lx);
+        IX_TRY(lx->st);
+        *t = (ix__token){.kind = T_END, .pos = here(lx)};
+        if (!c)
+            return IX_OK;
+        if (!isalpha(c) && c != '"' && !isdigit(c) && c != '.')
+            return read_symbol(lx, c, t);
+        IX_TRY(read_text(lx, c, t));
+        if (t->kind != T_NAME || strcmp(t->text, "COMMENT") != 0)
+            return IX_OK;
+        IX_TRY(skip_comment(lx, t->pos));
+    }
+}
+
+ix_status ix__lex(ix__reader *rd, ix__unit *u, ix__token *t)
+{
+    lexer lx = {rd, u, IX_OK};
+
+    return lex(&lx, t);
+}
+
+ix_status ix__lex_begin(ix__reader *rd, ix__unit *u)
+{
+    if (!ix__reader_line_left(rd))
+        return IX_OK;
+    return ix__unit_add_line(u, rd->file, rd->number, rd->line.data,
+                             rd->line.len);
+}
+
+void ix__lex_skip(ix__reader *rd)
+{
+    bool quoted = false;
+
+    for (; rd->pos < rd->line.len; rd->pos++) {
+        char c = rd->line.data[rd->pos];
+
+        if (c == '\\')
+            rd->pos++;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ';' && !quoted)
+            break;
+    }
+    rd->pos += rd->pos < rd->line.len;
+}

@@ -1,0 +1,150 @@
+/* reader.c - physical lines from a stack of sources.
+ *
+ * The present line is a copy, so it outlives its source: what is left of it
+ * runs before an included file, and after an error closed all sources. */
+#define _POSIX_C_SOURCE 200809L
+#include "lang/reader_impl.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "lang/interp_impl.h"
+
+void ix__reader_init(ix__reader *rd, ix_interp *in)
+{
+    *rd = (ix__reader){.in = in, .file = ""};
+    ix__buf_init(&rd->line, in->ctx);
+    ix__buf_init(&rd->word, in->ctx);
+}
+
+void ix__reader_close(ix__reader *rd)
+{
+    while (rd->n)
+        ix__buf_free(&rd->src[--rd->n].data);
+}
+
+void ix__reader_free(ix__reader *rd)
+{
+    ix__reader_close(rd);
+    ix__buf_free(&rd->line);
+    ix__buf_free(&rd->word);
+}
+
+void ix__reader_push_text(ix__reader *rd, const char *name, const char *text,
+                          size_t n)
+{
+    ix__source *s = &rd->src[rd->n++];
+
+    *s = (ix__source){.name = name, .text = text, .n = n};
+    ix__buf_init(&s->data, rd->in->ctx);
+    if (n >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
+        s->pos = 3; /* a byte order mark */
+}
+
+void ix__reader_push_file(ix__reader *rd, const char *name, ix_buf *data,
+                          dev_t dev, ino_t ino)
+{
+    ix__source *s = &rd->src[rd->n];
+
+    ix__reader_push_text(rd, name, data->data ? data->data : "", data->len);
+    s->data = *data;
+    s->dev = dev;
+    s->ino = ino;
+    ix__buf_init(data, rd->in->ctx);
+}
+
+bool ix__reader_line_left(const ix__reader *rd)
+{
+    for (size_t i = rd->pos; i < rd->line.len; i++)
+        if (rd->line.data[i] != ' ')
+            return true;
+    return false;
+}
+
+static ix_status too_long(ix__reader *rd)
+{
+    return IX_FAIL(rd->in->ctx, IX_EPARSE,
+                   "line %d of %s is longer than %u "
+                   "characters",
+                   rd->number, rd->file, IX_MAX_LINE);
+}
+
+/* Appends one character of the source; tabs go to the next multiple of 8.
+ * False: the rest of the line does not count. */
+static bool add_char(ix_buf *line, int c)
+{
+    if (c == '\t')
+        ix__buf_fill(line, ' ', 8 - line->len % 8);
+    else if (c < ' ' || c > '~')
+        return false;
+    else
+        ix__buf_putc(line, (char)c);
+    return true;
+}
+
+/* One line of a text; false at its end. */
+static bool text_line(ix__source *s, ix_buf *line)
+{
+    const char *start = s->text + s->pos, *end;
+    size_t n;
+
+    if (s->pos >= s->n)
+        return false;
+    end = memchr(start, '\n', s->n - s->pos);
+    n = end ? (size_t)(end - start) : s->n - s->pos;
+    s->pos += n + (end != NULL);
+    for (size_t i = 0; i < n && line->len <= IX_MAX_LINE; i++)
+        if (!add_char(line, (unsigned char)start[i]))
+            break;
+    return true;
+}
+
+/* One line of standard input; false at its end. */
+static bool stdin_line(ix__reader *rd, ix_buf *line)
+{
+    bool counts = true, any = false;
+    int c;
+
+    ix__flush(rd->in);
+    while ((c = getc(stdin)) != EOF && c != '\n') {
+        any = true;
+        if (line->len <= IX_MAX_LINE)
+            counts = counts && add_char(line, c);
+    }
+    return any || c == '\n';
+}
+
+static ix_status present_line(ix__reader *rd, const ix__source *s)
+{
+    rd->file = s->name;
+    rd->number = s->line;
+    IX_TRY(ix__buf_check(&rd->line));
+    if (rd->line.len > IX_MAX_LINE) {
+        rd->line.len = 0;
+        return too_long(rd);
+    }
+    if (rd->in->states.echo_source && !rd->add_semicolon) {
+        ix__out(rd->in, rd->line.data, rd->line.len);
+        ix__out(rd->in, "\n", 1);
+    }
+    return IX_OK;
+}
+
+ix_status ix__reader_line(ix__reader *rd, bool *more)
+{
+    ix__buf_clear(&rd->line);
+    rd->pos = 0;
+    *more = false;
+    while (rd->n) {
+        ix__source *s = &rd->src[rd->n - 1];
+
+        s->line++;
+        *more = s->text ? text_line(s, &rd->line) : stdin_line(rd, &rd->line);
+        IX_TRY(ix__poll(rd->in->ctx));
+        if (*more)
+            return present_line(rd, s);
+        ix__buf_free(&s->data);
+        rd->n--;
+    }
+    return IX_OK;
+}

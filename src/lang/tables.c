@@ -1,0 +1,341 @@
+/* tables.c - all built-ins by name, the predefined constants.
+ *
+ * The index of the built-ins is made once per process and then only read. */
+#define _POSIX_C_SOURCE 200809L
+#include <assert.h>
+#include <ctype.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "lang/interp_impl.h"
+#include "lang/startup.h"
+
+#define WEAK __attribute__((weak))
+extern const ix_builtin ix__builtins_system[] WEAK;
+extern const ix_builtin ix__builtins_numeric[] WEAK;
+extern const ix_builtin ix__builtins_list[] WEAK;
+extern const ix_builtin ix__builtins_output[] WEAK;
+extern const ix_builtin ix__builtins_attr[] WEAK;
+extern const ix_builtin ix__builtins_analytic[] WEAK;
+extern const ix_builtin ix__builtins_curve[] WEAK;
+extern const ix_builtin ix__builtins_freeform[] WEAK;
+extern const ix_builtin ix__builtins_surface[] WEAK;
+extern const ix_builtin ix__builtins_mv[] WEAK;
+extern const ix_builtin ix__builtins_sym[] WEAK;
+extern const ix_builtin ix__builtins_ops[] WEAK;
+extern const ix_builtin ix__builtins_startup[] WEAK;
+
+/* Statements that the parser knows itself, here for help and lists only. */
+static const ix_builtin control[] = {
+    {"IF", "cond:num then:any [else:any] -> nothing",
+     "Runs the second argument if cond is not 0, else the third.",
+     "if (x > 0, y = 1, y = 2);", NULL, 0, 1},
+    {"FOR", "init:any inc:num end:num body:any -> nothing",
+     "Runs body for each value of the counter from init to end.",
+     "for (i = 1, 1, 3, snoc(i, l));", NULL, 0, 1},
+    {"WHILE", "cond:num body:any -> nothing",
+     "Runs body as long as cond is not 0.", "while (i < 9, i = i + 1: j = i);",
+     NULL, 0, 1},
+    {"FUNCTION", "params:any... -> nothing",
+     "Defines a function: its value is what the body assigns to RETURN.",
+     "f = function(x): return = x + 1;", NULL, 0, 1},
+    {"PROCEDURE", "params:any... -> nothing",
+     "Defines a procedure: a function without a value.",
+     "p = procedure(x): printf(\"%f\\\\n\", list(x));", NULL, 0, 1},
+    {0}};
+
+static const ix_builtin *const tables[] = {
+    control,
+    ix__builtins_system,
+    ix__builtins_numeric,
+    ix__builtins_list,
+    ix__builtins_output,
+    ix__builtins_attr,
+    ix__builtins_analytic,
+    ix__builtins_curve,
+    ix__builtins_freeform,
+    ix__builtins_surface,
+    ix__builtins_mv,
+    ix__builtins_sym,
+    ix__builtins_ops,
+    ix__builtins_startup,
+};
+#define NTABLES (sizeof tables / sizeof *tables)
+
+#define MAX_BUILTINS 1024
+#define NSLOTS       4096 /* of the hash table: a power of two */
+
+static ix__bi all[MAX_BUILTINS];
+static size_t count;
+static unsigned short slot[NSLOTS]; /* 1 + index into all; 0: empty */
+static pthread_once_t once = PTHREAD_ONCE_INIT;
+
+/* Fowler-Noll-Vo, over the upper-case name. */
+static unsigned hash(const char *name)
+{
+    unsigned h = 2166136261u;
+
+    for (; *name; name++)
+        h = (h ^ (unsigned)toupper((unsigned char)*name)) * 16777619u;
+    return h;
+}
+
+static bool same_name(const char *a, const char *b)
+{
+    while (*a && toupper((unsigned char)*a) == toupper((unsigned char)*b))
+        a++, b++;
+    return !*a && !*b;
+}
+
+static size_t find_slot(const char *name)
+{
+    size_t i = hash(name) % NSLOTS;
+
+    while (slot[i] && !same_name(all[slot[i] - 1].row->name, name))
+        i = (i + 1) % NSLOTS;
+    return i;
+}
+
+static void add_table(const ix_builtin *t)
+{
+    for (; t && t->name && count < MAX_BUILTINS; t++) {
+        ix__bi *b = &all[count];
+        size_t i = find_slot(t->name);
+
+        if (slot[i])
+            continue; /* the first one counts */
+        *b = (ix__bi){.row = t};
+        if (!ix__sig_parse(t->signature, &b->sig))
+            assert(!"malformed signature in a table of built-ins");
+        slot[i] = (unsigned short)++count;
+    }
+}
+
+static void make_index(void)
+{
+    for (size_t i = 0; i < NTABLES; i++)
+        add_table(tables[i]);
+}
+
+const ix__bi *ix__bi_find(const char *name)
+{
+    size_t i;
+
+    (void)pthread_once(&once, make_index);
+    i = find_slot(name);
+    return slot[i] ? &all[slot[i] - 1] : NULL;
+}
+
+const ix_builtin *ix__builtin_find(const char *name)
+{
+    const ix__bi *b = ix__bi_find(name);
+
+    return b ? b->row : NULL;
+}
+
+const ix_builtin *ix__builtin_at(size_t i)
+{
+    (void)pthread_once(&once, make_index);
+    return i < count ? all[i].row : NULL;
+}
+
+/* --- constants ---------------------------------------------------------------
+ */
+
+#define TYPE(n)                \
+    {                          \
+#n "_TYPE", IX_OBJ_##n \
+    }
+static const struct {
+    const char *name;
+    double v;
+} constants[] = {
+    {"PI", 3.14159265358979323846},
+    {"TRUE", 1},
+    {"FALSE", 0},
+    {"ON", 1},
+    {"OFF", 0},
+    {"COL", 1301},
+    {"ROW", 1302},
+    {"DEPTH", 1303},
+    {"KV_OPEN", -10000},
+    {"KV_FLOAT", -10001},
+    {"KV_PERIODIC", -10002},
+    {"KV_DISC_OPEN", -10003},
+    {"PARAM_UNIFORM", 1501},
+    {"PARAM_CENTRIP", 1502},
+    {"PARAM_CHORD", 1503},
+    {"PARAM_NIELFOL", 1504},
+    {"E1", 1100},
+    {"P1", 1101},
+    {"E2", 1102},
+    {"P2", 1103},
+    {"E3", 1104},
+    {"P3", 1105},
+    {"E4", 1106},
+    {"P4", 1107},
+    {"E5", 1108},
+    {"P5", 1109},
+    {"E6", 1110},
+    {"P6", 1111},
+    {"E7", 1112},
+    {"P7", 1113},
+    {"E8", 1114},
+    {"P8", 1115},
+    {"E9", 1116},
+    {"P9", 1117},
+    TYPE(UNDEF),
+    TYPE(POLY),
+    {"NUMERIC_TYPE", IX_OBJ_NUMBER},
+    TYPE(POINT),
+    TYPE(VECTOR),
+    TYPE(PLANE),
+    TYPE(MATRIX),
+    TYPE(CURVE),
+    TYPE(SURFACE),
+    TYPE(STRING),
+    TYPE(LIST),
+    TYPE(CTLPT),
+    TYPE(TRIMSRF),
+    TYPE(TRIVAR),
+    TYPE(TRISRF),
+    TYPE(MODEL),
+    TYPE(MULTIVAR),
+    {"BEZIER_TYPE", 5001},
+    {"BSPLINE_TYPE", 5002},
+    {"POWER_TYPE", 5003},
+    {"GREGORY_TYPE", 5004},
+    {"GEOM_CONST", 0},
+    {"GEOM_LINEAR", 1},
+    {"GEOM_CIRCULAR", 2},
+    {"GEOM_PLANAR", 4},
+    {"GEOM_SPHERICAL", 5},
+    {"GEOM_SRF_OF_REV", 9},
+    {"GEOM_EXTRUSION", 12},
+    {"GEOM_RULED_SRF", 13},
+    {"GEOM_DEVELOP_SRF", 14},
+    {"GEOM_SWEEP", 15},
+    {"BLACK", 0},
+    {"BLUE", 1},
+    {"GREEN", 2},
+    {"CYAN", 3},
+    {"RED", 4},
+    {"MAGENTA", 5},
+    {"YELLOW", 14},
+    {"WHITE", 15},
+    {"MSDOS", 1},
+    {"SGI", 2},
+    {"HP", 3},
+    {"APOLLO", 4},
+    {"SUN", 5},
+    {"UNIX", 6},
+    {"IBMOS2", 7},
+    {"WINDOWS", 8},
+    {"AMIGA", 9},
+    {"CYGWIN", 10},
+    {"MACOSX", 11},
+    {"LINUX", 12},
+    {"CLIENTS_ALL", 13030},
+};
+
+const char *ix__constant_at(size_t i, double *v)
+{
+    if (i >= sizeof constants / sizeof *constants)
+        return NULL;
+    *v = constants[i].v;
+    return constants[i].name;
+}
+
+bool ix__constant_find(const char *name, double *v)
+{
+    const char *s;
+
+    for (size_t i = 0; (s = ix__constant_at(i, v)); i++)
+        if (strcmp(s, name) == 0)
+            return true;
+    return false;
+}
+
+/* --- names that are near
+ * ------------------------------------------------------ */
+
+#define MAX_NEAR 40 /* longer names are not compared */
+
+/* Edits (insert, delete, replace, exchange of neighbours) that turn a into b,
+ * any case; stops above limit. */
+static int distance(const char *a, const char *b, int limit)
+{
+    int la = (int)strlen(a), lb = (int)strlen(b);
+    int row[3][MAX_NEAR + 1];
+
+    if (la > MAX_NEAR || lb > MAX_NEAR || abs(la - lb) > limit)
+        return limit + 1;
+    for (int j = 0; j <= lb; j++)
+        row[0][j] = j;
+    for (int i = 1; i <= la; i++) {
+        int *cur = row[i % 3], *up = row[(i + 2) % 3], *up2 = row[(i + 1) % 3];
+
+        cur[0] = i;
+        for (int j = 1; j <= lb; j++) {
+            int x = toupper((unsigned char)a[i - 1]);
+            int y = toupper((unsigned char)b[j - 1]);
+            int d = up[j - 1] + (x != y);
+
+            d = d < up[j] + 1 ? d : up[j] + 1;
+            d = d < cur[j - 1] + 1 ? d : cur[j - 1] + 1;
+            if (i > 1 && j > 1 && x == toupper((unsigned char)b[j - 2]) &&
+                y == toupper((unsigned char)a[i - 2]) && up2[j - 2] + 1 < d)
+                d = up2[j - 2] + 1;
+            cur[j] = d;
+        }
+    }
+    return row[la % 3][lb];
+}
+
+typedef struct {
+    const char *name[3];
+    int dist[3], n;
+} nearest;
+
+static void consider(nearest *best, const char *wanted, const char *name,
+                     int limit)
+{
+    int d = distance(wanted, name, limit), i;
+
+    if (d > limit)
+        return;
+    for (i = best->n; i > 0 && best->dist[i - 1] > d; i--) {
+        if (i < 3) {
+            best->name[i] = best->name[i - 1];
+            best->dist[i] = best->dist[i - 1];
+        }
+    }
+    if (i >= 3)
+        return;
+    best->name[i] = name;
+    best->dist[i] = d;
+    best->n += best->n < 3;
+}
+
+bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size)
+{
+    nearest best = {.n = 0};
+    int limit = strlen(name) < 5 ? 1 : 2;
+    const char *fn;
+    const ix_builtin *row;
+    size_t at = 0;
+
+    for (size_t i = 0; (row = ix__builtin_at(i)); i++)
+        consider(&best, name, row->name, limit);
+    for (size_t i = 0; (fn = ix__fn_at(in, i)); i++)
+        consider(&best, name, fn, limit);
+    for (int i = 0; i < best.n && at < size; i++) {
+        const char *sep = i == 0 ? "" : i == best.n - 1 ? " or " : ", ";
+        int n = snprintf(buf + at, size - at, "%s%s", sep, best.name[i]);
+
+        at += n > 0 ? (size_t)n : 0;
+    }
+    return best.n > 0;
+}
