@@ -97,12 +97,13 @@ $(call bin,$(BENCH_SRC)): %: %.o $(LIB)
 # --- checking ----------------------------------------------------------------
 # Each part ends with a line "N passed, N failed"; tests/harness/check adds up.
 RUN_unit      = tests/unit/run $(TESTS)
+RUN_selftest  = tests/script/selftest
 RUN_script    = tests/script/run $(B)/iritx
 RUN_golden    = tests/golden/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit lint
+PARTS := unit selftest script golden roundtrip hostile lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
 	@tests/harness/check $(foreach p,$(PARTS),"$(RUN_$(p))")
@@ -110,6 +111,7 @@ check-san:                                          ## the same with address and
 	@$(MAKE) --no-print-directory CFG=asan check
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
+check-selftest:
 check-script check-golden check-roundtrip check-hostile: $(PROG)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
