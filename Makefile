@@ -34,7 +34,7 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = -Iinclude -Isrc -Itests -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 LIBS         = $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) $(LDFLAGS)
 
