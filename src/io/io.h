@@ -26,8 +26,7 @@ typedef struct {
     int line, col; /* 1-based; 0 if the error has no place in the text */
 } ix_place;
 
-/* --- text ------------------------------------------------------------------
- */
+/* --- text ------------------------------------------------------------- */
 /* Reads objects from text[n]. fname is for messages only. *out is the single
  * object or an unnamed list. Err IX_EPARSE (message "fname:line:col: error:
  * ..."), IX_ENOMEM. */
@@ -48,8 +47,7 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
  * default "%-16.14lg" itself. */
 double ix__itd_tiny(const char *float_format);
 
-/* --- files ------------------------------------------------------------------
- */
+/* --- files ------------------------------------------------------------ */
 /* The whole regular file, inflated if it is gzip (told by its first bytes);
  * data is NUL-terminated, freed with ix__buf_free. Caps: 1 GiB, and a ratio
  * of 200 after the first 16 MiB. Checks the gzip trailer. Err IX_EIO,

@@ -9,8 +9,7 @@
 
 #define DEFAULT_FORMAT "%-16.14lg"
 
-/* --- numbers
- * -------------------------------------------------------------------- */
+/* --- numbers ---------------------------------------------------------- */
 
 static double tiny_of(const ix_numfmt *f)
 {
@@ -140,8 +139,7 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *o, double v)
     ix__itdw_num(&w, v);
 }
 
-/* --- words
- * ------------------------------------------------------------------------ */
+/* --- words ------------------------------------------------------------ */
 
 void ix__itdw_indent(ix__itdw *w, int column)
 {

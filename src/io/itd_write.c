@@ -3,8 +3,7 @@
  * bounded: ix__itd_write checks the depth before it starts. */
 #include "io/itd_write_impl.h"
 
-/* --- attributes
- * --------------------------------------------------------------------- */
+/* --- attributes ------------------------------------------------------- */
 
 static ix_status write_attr(ix__itdw *w, const ix_attr *a, int column)
 {
@@ -66,8 +65,7 @@ ix_status ix__itdw_attrs(ix__itdw *w, const ix_attr *attrs, int column)
     return ix__itdw_check(w);
 }
 
-/* --- simple entities
- * ------------------------------------------------------------------ */
+/* --- simple entities -------------------------------------------------- */
 
 static void write_simple(ix__itdw *w, const char *keyword, int n,
                          const double *v)
@@ -142,9 +140,7 @@ static ix_status write_simple_entity(ix__itdw *w, const ix_obj *o, int column)
     return IX_OK;
 }
 
-/* --- objects
- * ------------------------------------------------------------------------------
- */
+/* --- objects ---------------------------------------------------------- */
 
 static ix_status write_body(ix__itdw *w, const ix_obj *o, int column)
 {

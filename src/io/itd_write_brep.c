@@ -3,9 +3,7 @@
 
 #include "io/itd_write_impl.h"
 
-/* --- polygons
- * ----------------------------------------------------------------------------
- */
+/* --- polygons --------------------------------------------------------- */
 
 /* A dump leaves out normals that IRIT would leave out: those within 1e-5 of
  * the plane's (spec/itd-format 5). A file keeps all that differ at all. */
@@ -70,8 +68,7 @@ ix_status ix__itdw_poly(ix__itdw *w, const ix_polygon *pg, int column)
     return ix__itdw_check(w);
 }
 
-/* --- trimmed surfaces
- * ------------------------------------------------------------------------ */
+/* --- trimmed surfaces ------------------------------------------------- */
 
 static void open_line(ix__itdw *w, const char *text, int column)
 {
@@ -104,9 +101,7 @@ ix_status ix__itdw_trimsrf(ix__itdw *w, const ix_trimsrf *t, int column)
     return ix__itdw_check(w);
 }
 
-/* --- models
- * ------------------------------------------------------------------------------------
- */
+/* --- models ----------------------------------------------------------- */
 
 static ix_status write_model_srf(ix__itdw *w, const ix_model_srf *s, int column)
 {

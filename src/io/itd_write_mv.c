@@ -136,8 +136,7 @@ ix_status ix__itdw_mv(ix__itdw *w, ix_obj_type type, const ix_mv *m, int column)
     return st;
 }
 
-/* --- triangular surfaces
- * ----------------------------------------------------------------- */
+/* --- triangular surfaces ---------------------------------------------- */
 
 /* The number of the twist at mesh point i, or -1 (spec/itd-format 6.4). */
 static int gregory_twist(const ix_trisrf *t, int i)

@@ -16,8 +16,7 @@
 #define MAX_FREE 4096 /* boxes kept for reuse: 0.7 MB */
 #endif
 
-/* --- the box's memory ------------------------------------------------------
- */
+/* --- the box's memory ------------------------------------------------- */
 
 static void free_list_drop(ix_ctx *ctx)
 {
@@ -63,8 +62,7 @@ static void free_box(ix_ctx *ctx, ix_obj *o)
     ctx->free_count++;
 }
 
-/* --- release ----------------------------------------------------------------
- */
+/* --- release ---------------------------------------------------------- */
 
 static void drop_list(ix_ctx *ctx, ix_list *l, ix_obj **dead)
 {
@@ -177,8 +175,7 @@ ix_obj *ix__obj_ref(ix_obj *o)
     return o;
 }
 
-/* --- making ------------------------------------------------------------------
- */
+/* --- making ----------------------------------------------------------- */
 
 ix_obj *ix__obj_undef(ix_ctx *ctx)
 {
@@ -418,8 +415,7 @@ ix_status ix__obj_append(ix_ctx *ctx, ix_obj *list, ix_obj *item)
     return IX_OK;
 }
 
-/* --- copying
- * ------------------------------------------------------------------ */
+/* --- copying ---------------------------------------------------------- */
 
 static ix_obj *copy_list(ix_ctx *ctx, const ix_obj *src)
 {
@@ -544,8 +540,7 @@ ix_status ix__obj_move(ix_ctx *ctx, ix_obj *dst, ix_obj *src)
     return st;
 }
 
-/* --- names and types
- * ------------------------------------------------------------ */
+/* --- names and types -------------------------------------------------- */
 
 void ix__name_upper(char *s)
 {

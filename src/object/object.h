@@ -12,7 +12,7 @@
 #include "iritx/object.h"
 #include "mv/mv.h"
 
-/* --- attributes ----------------------------------------------------------- */
+/* --- attributes ------------------------------------------------------- */
 typedef enum {
     IX_ATTR_STRING,
     IX_ATTR_INT,
@@ -51,8 +51,7 @@ int ix__name_cmp(const char *a, const char *b);
 void ix__name_upper(char *s); /* ASCII, in place */
 void ix__attr_free_all(ix_ctx *, ix_attr **);
 
-/* --- the box ----------------------------------------------------------------
- */
+/* --- the box ---------------------------------------------------------- */
 typedef struct {
     int n, cap;
     ix_obj **item; /* references */
@@ -158,8 +157,7 @@ bool ix__obj_contains(const ix_obj *o, const ix_obj *x);
 /* "Numeric", "Object List", "CtlPt", ... as in the header line of dumps. */
 const char *ix__obj_type_name(ix_obj_type t);
 
-/* --- polygonal data and the other counted values ---------------------------
- */
+/* --- polygonal data and the other counted values ---------------------- */
 /* Builders: fill a fresh block, then treat it as immutable. Zeroed. */
 ix_poly *ix__poly_new(ix_ctx *ctx, int npolys);
 ix_status ix__poly_vertices(ix_ctx *ctx, ix_polygon *pg,

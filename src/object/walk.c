@@ -80,8 +80,7 @@ bool ix__obj_contains(const ix_obj *o, const ix_obj *x)
     return found;
 }
 
-/* --- how large an object is when written out
- * ---------------------------------- */
+/* --- how large an object is when written out -------------------------- */
 
 /* A box on the way: its children are looked at once, its totals added for
  * each reference to it. */

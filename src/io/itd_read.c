@@ -1,0 +1,466 @@
+/* itd_read.c - objects, lists and simple entities from text
+ * (spec/itd-format 2, 4). The recursion over objects is bounded by
+ * IX_MAX_DEPTH; everything else is a loop. */
+#include <string.h>
+
+#include "io/itd_read_impl.h"
+
+/* --- entities --------------------------------------------------------- */
+
+typedef struct {
+    const char *word;
+    ix_obj_type type;
+    int variant; /* the kind of polygon */
+} entity;
+
+static const entity entities[] = {
+    {"NUMBER", IX_OBJ_NUMBER, 0},
+    {"POINT", IX_OBJ_POINT, 0},
+    {"VECTOR", IX_OBJ_VECTOR, 0},
+    {"PLANE", IX_OBJ_PLANE, 0},
+    {"MATRIX", IX_OBJ_MATRIX, 0},
+    {"CTLPT", IX_OBJ_CTLPT, 0},
+    {"STRING", IX_OBJ_STRING, 0},
+    {"INSTANCE", IX_OBJ_INSTANCE, 0},
+    {"CURVE", IX_OBJ_CURVE, 0},
+    {"SURFACE", IX_OBJ_SURFACE, 0},
+    {"TRIVAR", IX_OBJ_TRIVAR, 0},
+    {"MULTIVAR", IX_OBJ_MULTIVAR, 0},
+    {"POLYGON", IX_OBJ_POLY, IX_POLYGON},
+    {"POLYLINE", IX_OBJ_POLY, IX_POLYLINE},
+    {"POINTLIST", IX_OBJ_POLY, IX_POINTLIST},
+    {"POLYSTRIP", IX_OBJ_POLY, IX_POLYSTRIP},
+    {"TRIMSRF", IX_OBJ_TRIMSRF, 0},
+    {"TRISRF", IX_OBJ_TRISRF, 0},
+    {"MODEL", IX_OBJ_MODEL, 0},
+};
+
+static const entity *find_entity(const ix__token *t)
+{
+    for (size_t i = 0; i < sizeof entities / sizeof *entities; i++)
+        if (ix__token_is(t, entities[i].word))
+            return &entities[i];
+    return NULL;
+}
+
+/* "[KEYWORD": the entity's row. */
+static ix_status open_entity(ix__lex *l, const entity **e)
+{
+    ix__token t;
+
+    IX_TRY(ix__lex_open(l));
+    IX_TRY(ix__lex_next(l, &t));
+    *e = find_entity(&t);
+    if (!*e)
+        return ix__lex_unexpected(l, &t, "an entity such as NUMBER or CURVE");
+    return IX_OK;
+}
+
+/* --- entities that stand alone ---------------------------------------- */
+
+static ix_status made(ix_obj *o, ix_obj **out)
+{
+    *out = o;
+    return o ? IX_OK : IX_ENOMEM;
+}
+
+static ix_status read_numbers(ix__lex *l, const entity *e, ix_obj **out)
+{
+    int n = e->type == IX_OBJ_NUMBER   ? 1
+            : e->type == IX_OBJ_PLANE  ? 4
+            : e->type == IX_OBJ_MATRIX ? 16
+                                       : 3;
+    double v[16];
+
+    IX_TRY(ix__lex_nums(l, "number", n, v));
+    switch (e->type) {
+    case IX_OBJ_NUMBER:
+        return made(ix__obj_number(l->ctx, v[0]), out);
+    case IX_OBJ_POINT:
+        return made(ix__obj_point(l->ctx, v), out);
+    case IX_OBJ_VECTOR:
+        return made(ix__obj_vector(l->ctx, v), out);
+    case IX_OBJ_PLANE:
+        return made(ix__obj_plane(l->ctx, v), out);
+    default:
+        return made(ix__obj_matrix(l->ctx, v), out);
+    }
+}
+
+static ix_status read_ctlpt(ix__lex *l, ix_obj **out)
+{
+    ix_ctlpt p = {0};
+
+    IX_TRY(ix__itdr_point_type(l, &p.ncoords, &p.rational));
+    IX_TRY(ix__lex_nums(l, "number", p.ncoords + p.rational, p.v));
+    return made(ix__obj_ctlpt(l->ctx, &p), out);
+}
+
+static ix_status read_text(ix__lex *l, const char *wanted, char **s, size_t *n)
+{
+    ix__token t;
+
+    IX_TRY(ix__lex_next(l, &t));
+    if (t.kind != IX_T_WORD && t.kind != IX_T_QUOTED)
+        return ix__lex_unexpected(l, &t, wanted);
+    return ix__token_text(l, &t, s, n);
+}
+
+static ix_status read_string(ix__lex *l, ix_obj **out)
+{
+    char *s;
+    size_t n;
+
+    IX_TRY(read_text(l, "text of the STRING", &s, &n));
+    return made(ix__obj_string(l->ctx, s, n), out);
+}
+
+static ix_status read_instance(ix__lex *l, ix_obj **out)
+{
+    double mat[16];
+    char *s;
+    size_t n;
+
+    IX_TRY(read_text(l, "name of the INSTANCE", &s, &n));
+    IX_TRY(ix__lex_nums(l, "number of the matrix", 16, mat));
+    return made(ix__obj_instance(l->ctx, s, mat), out);
+}
+
+static ix_status read_single(ix__lex *l, const entity *e, ix_obj **out)
+{
+    switch (e->type) {
+    case IX_OBJ_CTLPT:
+        IX_TRY(read_ctlpt(l, out));
+        break;
+    case IX_OBJ_STRING:
+        IX_TRY(read_string(l, out));
+        break;
+    case IX_OBJ_INSTANCE:
+        IX_TRY(read_instance(l, out));
+        break;
+    default:
+        IX_TRY(read_numbers(l, e, out));
+        break;
+    }
+    return ix__lex_close(l, "] of the entity");
+}
+
+/* --- entities in sequences -------------------------------------------- */
+
+/* A growing array in scratch of what the entity readers return. */
+typedef struct {
+    int n, cap;
+    const void **item;
+} refs;
+
+static ix_status refs_room(ix_ctx *ctx, refs *r)
+{
+    const void **item;
+    int cap;
+
+    if (r->n < r->cap)
+        return IX_OK;
+    cap = r->cap ? 2 * r->cap : 8;
+    IX_SCRATCH(ctx, item, cap);
+    if (r->n > 0)
+        memcpy(item, r->item, (size_t)r->n * sizeof *item);
+    r->item = item;
+    r->cap = cap;
+    return IX_OK;
+}
+
+static ix_status read_one(ix__lex *l, const entity *e, const void **out)
+{
+    switch (e->type) {
+    case IX_OBJ_POLY:
+        return ix__itdr_poly(l, (ix_poly_kind)e->variant, out);
+    case IX_OBJ_TRIMSRF:
+        return ix__itdr_trimsrf(l, out);
+    case IX_OBJ_TRISRF:
+        return ix__itdr_trisrf(l, out);
+    case IX_OBJ_MODEL:
+        return ix__itdr_model(l, out);
+    default:
+        return ix__itdr_mv(l, e->type, out);
+    }
+}
+
+static void drop_one(ix_ctx *ctx, ix_obj_type type, const void *p)
+{
+    switch (type) {
+    case IX_OBJ_POLY:
+        ix__poly_unref(ctx, p);
+        break;
+    case IX_OBJ_TRIMSRF:
+        ix__trimsrf_unref(ctx, p);
+        break;
+    case IX_OBJ_TRISRF:
+        ix__trisrf_unref(ctx, p);
+        break;
+    case IX_OBJ_MODEL:
+        ix__model_unref(ctx, p);
+        break;
+    default:
+        ix_mv_unref(ctx, p);
+        break;
+    }
+}
+
+/* Entities of one type, the first behind its keyword, up to a closing bracket
+ * or the end, which are left. */
+static ix_status read_sequence(ix__lex *l, const entity *e, refs *r)
+{
+    ix_obj_type type = e->type;
+    ix__token t;
+
+    for (;;) {
+        IX_TRY(refs_room(l->ctx, r));
+        IX_TRY(read_one(l, e, &r->item[r->n]));
+        r->n++;
+        IX_TRY(ix__lex_peek(l, &t));
+        if (t.kind != IX_T_OPEN)
+            return IX_OK;
+        IX_TRY(open_entity(l, &e));
+        if (e->type != type)
+            return ix__lex_fail(l, t.s,
+                                "%s in an object of another type; an object "
+                                "holds entities of one type",
+                                e->word);
+    }
+}
+
+/* The polygons of single ones, moved into one block. */
+static ix_obj *join_polys(ix_ctx *ctx, const refs *r)
+{
+    ix_poly *p = ix__poly_new(ctx, r->n);
+
+    for (int i = 0; p && i < r->n; i++) {
+        ix_polygon *from = ((const ix_poly *)r->item[i])->poly;
+
+        p->poly[i] = *from;
+        *from = (ix_polygon){0};
+    }
+    return ix__obj_poly(ctx, p);
+}
+
+static ix_obj *join(ix_ctx *ctx, ix_obj_type type, const refs *r)
+{
+    void *items = r->item;
+
+    switch (type) {
+    case IX_OBJ_POLY:
+        return join_polys(ctx, r);
+    case IX_OBJ_TRIMSRF:
+        return ix__obj_trimsrfs(ctx, r->n, items);
+    case IX_OBJ_TRISRF:
+        return ix__obj_trisrfs(ctx, r->n, items);
+    case IX_OBJ_MODEL:
+        return ix__obj_models(ctx, r->n, items);
+    default:
+        return ix__obj_mvs(ctx, type, ix__mvs_new(ctx, r->n, items));
+    }
+}
+
+static bool is_single(ix_obj_type t)
+{
+    return t == IX_OBJ_NUMBER || t == IX_OBJ_POINT || t == IX_OBJ_VECTOR ||
+           t == IX_OBJ_PLANE || t == IX_OBJ_MATRIX || t == IX_OBJ_CTLPT ||
+           t == IX_OBJ_STRING || t == IX_OBJ_INSTANCE;
+}
+
+/* The geometry of one object, up to a closing bracket or the end. */
+static ix_status read_geometry(ix__lex *l, ix_obj **out)
+{
+    const entity *e;
+    refs r = {0};
+    ix_status st;
+
+    IX_TRY(open_entity(l, &e));
+    if (is_single(e->type))
+        return read_single(l, e, out);
+    st = read_sequence(l, e, &r);
+    if (st == IX_OK)
+        st = made(join(l->ctx, e->type, &r), out);
+    for (int i = 0; i < r.n; i++)
+        drop_one(l->ctx, e->type, r.item[i]);
+    return st;
+}
+
+/* --- objects ---------------------------------------------------------- */
+
+static bool at_object(const ix__lex *l)
+{
+    ix__lex ahead = *l;
+    ix__token t;
+
+    return ix__lex_open(&ahead) == IX_OK && ix__lex_next(&ahead, &t) == IX_OK &&
+           ix__token_is(&t, "OBJECT");
+}
+
+static ix_status read_element(ix__lex *l, ix_obj *list)
+{
+    ix_obj *o;
+    ix__token t;
+    ix_status st;
+
+    IX_TRY(ix__lex_open(l));
+    IX_TRY(ix__lex_next(l, &t));
+    if (!ix__token_is(&t, "OBJECT"))
+        return ix__lex_unexpected(l, &t, "OBJECT");
+    IX_TRY(ix__itdr_object(l, &o));
+    if (!o)
+        return IX_OK;
+    st = ix__obj_append(l->ctx, list, o);
+    ix__obj_unref(l->ctx, o);
+    return st;
+}
+
+/* Objects and words between them, up to a closing bracket or the end. */
+static ix_status read_elements(ix__lex *l, ix_obj *list)
+{
+    ix__token t;
+
+    IX_TRY(ix__lex_skip_junk(l, &t));
+    while (t.kind == IX_T_OPEN) {
+        IX_TRY(read_element(l, list));
+        IX_TRY(ix__lex_skip_junk(l, &t));
+    }
+    return IX_OK;
+}
+
+/* What stands in an object or in the file: NULL if nothing. */
+static ix_status read_body(ix__lex *l, ix_obj **out)
+{
+    ix_obj *list;
+    ix__token t;
+    ix_status st;
+
+    IX_TRY(ix__lex_skip_junk(l, &t));
+    if (t.kind != IX_T_OPEN)
+        return IX_OK;
+    if (!at_object(l))
+        return read_geometry(l, out);
+    list = ix__obj_list(l->ctx);
+    if (!list)
+        return IX_ENOMEM;
+    st = read_elements(l, list);
+    if (st == IX_OK && list->u.list.n > 0)
+        *out = ix__obj_ref(list);
+    ix__obj_unref(l->ctx, list);
+    return st;
+}
+
+static ix_status object_attr(ix__lex *l, const ix__token *name, void *arg,
+                             bool *taken)
+{
+    ix__token t;
+    double v;
+
+    (void)arg;
+    (void)taken;
+    if (!ix__token_is(name, "COLOR"))
+        return IX_OK;
+    IX_TRY(ix__lex_peek(l, &t));
+    if (t.kind == IX_T_WORD && ix_num_parse(t.s, t.end, &v) == t.end)
+        return IX_OK;
+    return ix__lex_unexpected(l, &t, "number of a COLOR");
+}
+
+/* A quoted word in the place of the name leaves the object unnamed. */
+static ix_status read_name(ix__lex *l, char **name)
+{
+    ix__token t;
+    size_t n;
+
+    IX_TRY(ix__lex_peek(l, &t));
+    if (t.kind != IX_T_WORD && t.kind != IX_T_QUOTED)
+        return IX_OK;
+    IX_TRY(ix__lex_next(l, &t));
+    return t.kind == IX_T_WORD ? ix__token_text(l, &t, name, &n) : IX_OK;
+}
+
+static ix_status read_object(ix__lex *l, ix_attr **attrs, ix_obj **out)
+{
+    char *name = NULL;
+    ix_status st;
+
+    IX_TRY(ix__poll(l->ctx));
+    IX_TRY(ix__itdr_attrs(l, attrs, object_attr, NULL));
+    IX_TRY(read_name(l, &name));
+    IX_TRY(read_body(l, out));
+    st = ix__lex_close(l, "] of the object");
+    if (st != IX_OK || !*out)
+        return st;
+    (*out)->attrs = *attrs;
+    *attrs = NULL;
+    return ix__obj_set_name(l->ctx, *out, name);
+}
+
+ix_status ix__itdr_object(ix__lex *l, ix_obj **out)
+{
+    ix_mark mk = ix__scratch_mark(l->ctx);
+    ix_attr *attrs = NULL;
+    ix_status st;
+
+    *out = NULL;
+    if (l->depth == IX_MAX_DEPTH)
+        return ix__lex_fail(l, l->p, "objects nested deeper than %d",
+                            IX_MAX_DEPTH);
+    l->depth++;
+    st = read_object(l, &attrs, out);
+    l->depth--;
+    ix__attr_free_all(l->ctx, &attrs);
+    ix__scratch_release(l->ctx, mk);
+    if (st != IX_OK) {
+        ix__obj_unref(l->ctx, *out);
+        *out = NULL;
+    }
+    return st;
+}
+
+/* --- files ------------------------------------------------------------ */
+
+/* A single object stands for itself, not for a list of one. */
+static ix_obj *unwrap(ix_ctx *ctx, ix_obj *o)
+{
+    ix_obj *only;
+
+    if (o->type != IX_OBJ_LIST || o->u.list.n != 1)
+        return o;
+    only = ix__obj_ref(o->u.list.item[0]);
+    ix__obj_unref(ctx, o);
+    return only;
+}
+
+/* A surplus ] ends the file quietly, words behind everything are skipped. */
+static ix_status read_file(ix__lex *l, ix_obj **out)
+{
+    ix__token t;
+
+    IX_TRY(read_body(l, out));
+    if (!*out)
+        return ix__lex_fail(l, l->text, "file empty: it holds no object");
+    *out = unwrap(l->ctx, *out);
+    IX_TRY(ix__lex_skip_junk(l, &t));
+    if (t.kind == IX_T_OPEN)
+        return ix__lex_unexpected(l, &t, "end of file");
+    return IX_OK;
+}
+
+ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
+                       size_t n, ix_obj **out)
+{
+    ix_mark mk = ix__scratch_mark(ctx);
+    ix__lex l;
+    ix_status st;
+
+    *out = NULL;
+    ix__lex_init(&l, ctx, fname, text, n);
+    st = read_file(&l, out);
+    ix__scratch_release(ctx, mk);
+    if (st != IX_OK) {
+        ix__obj_unref(ctx, *out);
+        *out = NULL;
+    }
+    return st;
+}

@@ -1,0 +1,123 @@
+/* itd_read_poly.c - polygons, polylines, point lists and strips from text
+ * (spec/itd-format 5). Planes and normals are made unit vectors, unless they
+ * are so within rounding already. */
+#include <math.h>
+#include <string.h>
+
+#include "io/itd_read_impl.h"
+
+/* Divides v[n] by the length of its first three; false if that is 0. A length
+ * of 1 up to rounding is left alone, so that writing and reading keep bits. */
+static bool make_unit(double *v, int n)
+{
+    double len = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+
+    if (!(len > 0) || !isfinite(len))
+        return false;
+    if (fabs(len - 1) <= 4 * 0x1p-52)
+        return true;
+    for (int k = 0; k < n; k++)
+        v[k] /= len;
+    return true;
+}
+
+static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,
+                              bool *taken)
+{
+    ix_polygon *pg = arg;
+
+    if (!ix__token_is(name, "PLANE"))
+        return IX_OK;
+    *taken = true;
+    IX_TRY(ix__lex_nums(l, "number of the PLANE", 4, pg->plane));
+    IX_TRY(ix__lex_close(l, "] of the PLANE"));
+    if (!make_unit(pg->plane, 4))
+        return ix__lex_fail(l, name->s, "degenerate normal: PLANE %g %g %g",
+                            pg->plane[0], pg->plane[1], pg->plane[2]);
+    pg->has_plane = true;
+    return IX_OK;
+}
+
+static ix_status vertex_attr(ix__lex *l, const ix__token *name, void *arg,
+                             bool *taken)
+{
+    ix_vertex *v = arg;
+
+    if (ix__token_is(name, "INTERNAL")) {
+        *taken = v->internal = true;
+        return ix__lex_close(l, "] of INTERNAL");
+    }
+    if (!ix__token_is(name, "NORMAL"))
+        return IX_OK;
+    *taken = true;
+    IX_TRY(ix__lex_nums(l, "number of the NORMAL", 3, v->normal));
+    v->has_normal = make_unit(v->normal, 3); /* a zero normal is none */
+    return ix__lex_close(l, "] of the NORMAL");
+}
+
+static ix_status read_vertex(ix__lex *l, ix_vertex *v, int i, int n)
+{
+    ix__token t;
+
+    IX_TRY(ix__lex_next(l, &t));
+    if (t.kind == IX_T_CLOSE)
+        return ix__lex_fail(l, t.s, "%d vertices expected, %d found", n, i);
+    if (t.kind != IX_T_OPEN)
+        return ix__lex_unexpected(l, &t, "[ of a vertex");
+    IX_TRY(ix__itdr_attrs(l, &v->attrs, vertex_attr, v));
+    IX_TRY(ix__lex_nums(l, "coordinate", 3, v->p));
+    return ix__lex_close(l, "] of a vertex");
+}
+
+/* A polygon without a plane gets it from its vertices, and vertices without a
+ * normal get the plane's. */
+static void complete(ix_polygon *pg)
+{
+    if (pg->kind != IX_POLYGON)
+        return;
+    if (!pg->has_plane)
+        pg->has_plane = ix__polygon_plane(pg, pg->plane);
+    for (int i = 0; pg->has_plane && i < pg->n; i++) {
+        if (pg->v[i].has_normal)
+            continue;
+        memcpy(pg->v[i].normal, pg->plane, sizeof pg->v[i].normal);
+        pg->v[i].has_normal = true;
+    }
+}
+
+static ix_status read_polygon(ix__lex *l, ix_polygon *pg)
+{
+    const char *at = l->p;
+    int n;
+
+    IX_TRY(ix__itdr_attrs(l, &pg->attrs, polygon_attr, pg));
+    IX_TRY(ix__lex_int(l, "the number of vertices", 1, INT32_MAX, &n));
+    IX_TRY(ix__lex_room(l, at, n, 7, "vertices")); /* "[0 0 0]" */
+    IX_TRY(ix__poly_vertices(l->ctx, pg, n));
+    for (int i = 0; i < n; i++) {
+        if (i % 4096 == 0)
+            IX_TRY(ix__poll(l->ctx));
+        IX_TRY(read_vertex(l, &pg->v[i], i, n));
+    }
+    complete(pg);
+    return ix__lex_close(l, "] behind the last vertex");
+}
+
+ix_status ix__itdr_poly(ix__lex *l, ix_poly_kind kind, const void **out)
+{
+    ix_mark mk = ix__scratch_mark(l->ctx);
+    ix_poly *p = ix__poly_new(l->ctx, 1);
+    ix_status st = IX_ENOMEM;
+
+    *out = NULL;
+    if (p) {
+        p->poly[0].kind = kind;
+        st = read_polygon(l, &p->poly[0]);
+    }
+    ix__scratch_release(l->ctx, mk);
+    if (st == IX_OK)
+        *out = p;
+    else
+        ix__poly_unref(l->ctx, p);
+    return st;
+}
