@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "iritx/sym.h"
+
 /* --- knots
  * --------------------------------------------------------------------- */
 
@@ -205,33 +207,37 @@ ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m, int geom_type)
     return ix__attr_set_int(c->ctx, &c->result->attrs, "GeomType", geom_type);
 }
 
+ix_status ix__ret_list(ix_call *c, ix_obj *list, ix_status st)
+{
+    if (st == IX_OK)
+        return ix__ret(c, list);
+    ix__obj_unref(c->ctx, list);
+    return st;
+}
+
 ix_status ix__ret_pair(ix_call *c, int like, ix_mv *const pieces[2])
 {
     ix_obj_type type = c->argv[like]->type;
     ix_obj *list = ix__obj_list(c->ctx);
-    ix_status st[2];
+    ix_status st = IX_OK;
 
-    for (int k = 0; k < 2; k++)
-        st[k] = ix__list_add(c->ctx, list, ix__obj_mv(c->ctx, type, pieces[k]));
-    if (st[0] == IX_OK && st[1] == IX_OK)
-        return ix__ret(c, list);
-    ix__obj_unref(c->ctx, list);
-    return IX_ENOMEM;
+    for (int k = 0; k < 2; k++) {
+        ix_obj *o = ix__obj_mv(c->ctx, type, pieces[k]);
+        ix_status added = ix__list_add(c->ctx, list, o);
+
+        st = st == IX_OK ? added : st;
+    }
+    return ix__ret_list(c, list, st);
 }
 
 ix_status ix__ret_nums(ix_call *c, int n, const double *v)
 {
     ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = IX_OK;
 
-    for (int k = 0; k < n; k++) {
-        ix_status st = ix__list_add_num(c->ctx, list, v[k]);
-
-        if (st != IX_OK) {
-            ix__obj_unref(c->ctx, list);
-            return st;
-        }
-    }
-    return ix__ret(c, list);
+    for (int k = 0; k < n && st == IX_OK; k++)
+        st = ix__list_add_num(c->ctx, list, v[k]);
+    return ix__ret_list(c, list, st);
 }
 
 ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational, const double *v)
@@ -245,4 +251,31 @@ ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational, const double *v)
 ix_status ix__ret_vector(ix_call *c, const double v[3])
 {
     return ix__ret(c, ix__obj_vector(c->ctx, v));
+}
+
+static ix_status trim_curve(ix_ctx *ctx, const ix_trimsrf *t,
+                            const ix_trimseg *s, bool param, ix_mv **out)
+{
+    if (param || s->euclid) {
+        *out = ix_mv_ref(param ? s->uv : s->euclid);
+        return IX_OK;
+    }
+    return ix_sym_compose(ctx, t->srf, s->uv, out);
+}
+
+ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t, bool param)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = IX_OK;
+
+    for (int l = 0; l < t->nloops; l++)
+        for (int k = 0; k < t->loop[l].n && st == IX_OK; k++) {
+            ix_mv *crv = NULL;
+
+            st = trim_curve(c->ctx, t, &t->loop[l].seg[k], param, &crv);
+            if (st == IX_OK)
+                st = ix__list_add(c->ctx, list,
+                                  ix__obj_mv(c->ctx, IX_OBJ_CURVE, crv));
+        }
+    return ix__ret_list(c, list, st);
 }

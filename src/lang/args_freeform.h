@@ -52,11 +52,16 @@ ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m,
 /* A list of two pieces of the type of argument like; takes over both. */
 ix_status ix__ret_pair(ix_call *c, int like,
                        ix_mv *const pieces[2]) IX_MUST_CHECK;
+/* The list if st is IX_OK, else the list is released and st returned. */
+ix_status ix__ret_list(ix_call *c, ix_obj *list, ix_status st) IX_MUST_CHECK;
 /* n numbers as a list. */
 ix_status ix__ret_nums(ix_call *c, int n, const double *v) IX_MUST_CHECK;
 /* A control point, homogeneous if rational. */
 ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational,
                         const double *v) IX_MUST_CHECK;
+/* The trimming curves as a list, in the parameter plane or on the surface. */
+ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t,
+                              bool param) IX_MUST_CHECK;
 ix_status ix__ret_vector(ix_call *c, const double v[3]) IX_MUST_CHECK;
 
 #endif
