@@ -61,9 +61,11 @@ extern const ix_builtin ix__builtins_analytic[];
 extern const ix_builtin ix__builtins_curve[];
 extern const ix_builtin ix__builtins_freeform[];
 extern const ix_builtin ix__builtins_surface[];
+extern const ix_builtin ix__builtins_trivar[]; /* and triangular patches */
 extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
+extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------

@@ -22,9 +22,11 @@ extern const ix_builtin ix__builtins_analytic[] WEAK;
 extern const ix_builtin ix__builtins_curve[] WEAK;
 extern const ix_builtin ix__builtins_freeform[] WEAK;
 extern const ix_builtin ix__builtins_surface[] WEAK;
+extern const ix_builtin ix__builtins_trivar[] WEAK;
 extern const ix_builtin ix__builtins_mv[] WEAK;
 extern const ix_builtin ix__builtins_sym[] WEAK;
 extern const ix_builtin ix__builtins_ops[] WEAK;
+extern const ix_builtin ix__builtins_poly[] WEAK;
 extern const ix_builtin ix__builtins_startup[] WEAK;
 
 /* Statements that the parser knows itself, here for help and lists only. */
@@ -57,9 +59,11 @@ static const ix_builtin *const tables[] = {
     ix__builtins_curve,
     ix__builtins_freeform,
     ix__builtins_surface,
+    ix__builtins_trivar,
     ix__builtins_mv,
     ix__builtins_sym,
     ix__builtins_ops,
+    ix__builtins_poly,
     ix__builtins_startup,
 };
 #define NTABLES (sizeof tables / sizeof *tables)
