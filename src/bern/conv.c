@@ -1,0 +1,136 @@
+/* conv.c - products of homogeneous forms: convolutions.
+ *
+ * A block of coefficients of the result stays in registers while the sum runs
+ * over the first factor; the second factor stands between zeros, so no index
+ * needs a test. Each coefficient adds its terms in the order of the first
+ * factor, whatever the width of the vectors: the bits are the same on every
+ * machine. */
+#include <string.h>
+
+#include "bern/bern.h"
+#include "bern/clones.h"
+
+/* acc[l] = sum over lo <= i < hi of a[i] b[l - i], l = 0 .. 15. */
+IX__INLINE void dense16(int lo, int hi, const double *a, const double *b,
+                        double *acc)
+{
+    ix__v4 s0 = {0}, s1 = {0}, s2 = {0}, s3 = {0};
+
+    for (int i = lo; i < hi; i++) {
+        const ix__v4 *x = ix__cvec(b - i);
+
+        s0 += a[i] * x[0];
+        s1 += a[i] * x[1];
+        s2 += a[i] * x[2];
+        s3 += a[i] * x[3];
+    }
+    ix__vec(acc)[0] = s0;
+    ix__vec(acc)[1] = s1;
+    ix__vec(acc)[2] = s2;
+    ix__vec(acc)[3] = s3;
+}
+
+IX__INLINE void dense8(int lo, int hi, const double *a, const double *b,
+                       double *acc)
+{
+    ix__v4 s0 = {0}, s1 = {0};
+
+    for (int i = lo; i < hi; i++) {
+        const ix__v4 *x = ix__cvec(b - i);
+
+        s0 += a[i] * x[0];
+        s1 += a[i] * x[1];
+    }
+    ix__vec(acc)[0] = s0;
+    ix__vec(acc)[1] = s1;
+}
+
+IX__INLINE void put(int n, const double *acc, ix__into into, double *out)
+{
+    if (into == IX__SET)
+        for (int l = 0; l < n; l++)
+            out[l] = acc[l];
+    else if (into == IX__ADD)
+        for (int l = 0; l < n; l++)
+            out[l] += acc[l];
+    else
+        for (int l = 0; l < n; l++)
+            out[l] -= acc[l];
+}
+
+IX__INLINE int min_int(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+/* One pair: b stands between zeros. Terms outside the window are zero. */
+IX__INLINE void conv_one(int p, const double *a, int q, const double *b,
+                         ix__into into, double *out)
+{
+    double acc[16];
+    int n = p + q + 1, k = 0;
+
+    for (; k + 8 < n; k += 16) {
+        dense16(k > q ? k - q : 0, min_int(p, k + 15) + 1, a, b + k, acc);
+        put(min_int(16, n - k), acc, into, out + k);
+    }
+    if (k < n) {
+        dense8(k > q ? k - q : 0, min_int(p, k + 7) + 1, a, b + k, acc);
+        put(n - k, acc, into, out + k);
+    }
+}
+
+IX__CLONES static void conv_spans(size_t n, int p, const double *a, int q,
+                                  const double *b, ix__into into, double *mid,
+                                  double *out)
+{
+    for (size_t s = 0; s < n; s++) {
+        for (int j = 0; j <= q; j++)
+            mid[j] = b[j];
+        conv_one(p, a, q, mid, into, out);
+        a += p + 1;
+        b += q + 1;
+        out += p + q + 1;
+    }
+}
+
+void ix__bern_conv_spans(size_t n, int p, const double *a, int q,
+                         const double *b, ix__into into, double *work,
+                         double *out)
+{
+    int m = p > q ? p : q;
+
+    memset(work, 0, (size_t)(m + 1 + 2 * IX__BERN_PAD) * sizeof *work);
+    if (p <= q)
+        conv_spans(n, p, a, q, b, into, work + IX__BERN_PAD, out);
+    else
+        conv_spans(n, q, b, p, a, into, work + IX__BERN_PAD, out);
+}
+
+IX__CLONES void ix__bern_conv_sparse(int na, const double *a, const int *off,
+                                     int nb, const double *b, int nout,
+                                     double *out)
+{
+    int lo = 0, hi = 0;
+
+    for (int k = 0; k < nout; k += 16) {
+        ix__v4 s0 = {0}, s1 = {0}, s2 = {0}, s3 = {0};
+
+        while (hi < na && off[hi] <= k + 15)
+            hi++;
+        while (lo < hi && off[lo] <= k - nb)
+            lo++;
+        for (int i = lo; i < hi; i++) {
+            const ix__v4 *x = ix__cvec(b + (k - off[i]));
+
+            s0 += a[i] * x[0];
+            s1 += a[i] * x[1];
+            s2 += a[i] * x[2];
+            s3 += a[i] * x[3];
+        }
+        ix__vec(out + k)[0] = s0;
+        ix__vec(out + k)[1] = s1;
+        ix__vec(out + k)[2] = s2;
+        ix__vec(out + k)[3] = s3;
+    }
+}

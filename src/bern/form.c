@@ -1,0 +1,173 @@
+/* form.c - scaling, elevation, partials and restriction of blocks of
+ * homogeneous forms. Each kernel walks the rows of one block, inner numbers
+ * at a time, so that tensors of any shape share the loops. */
+#include "bern/bern.h"
+
+#include <math.h>
+#include <string.h>
+
+void ix__bern_scale(size_t count, int d, size_t inner, const double *row,
+                    const double *in, double *out)
+{
+    size_t n = (size_t)d + 1;
+
+    if (d < 2) {
+        if (in != out)
+            memcpy(out, in, count * n * inner * sizeof *out);
+        return;
+    }
+    for (size_t b = 0; b < count; b++)
+        for (size_t k = 0; k < n; k++, in += inner, out += inner)
+            for (size_t i = 0; i < inner; i++)
+                out[i] = row[k] * in[i];
+}
+
+void ix__bern_unscale(size_t count, int d, size_t inner, const double *row,
+                      const double *in, double *out)
+{
+    size_t n = (size_t)d + 1;
+
+    if (d < 2) {
+        if (in != out)
+            memcpy(out, in, count * n * inner * sizeof *out);
+        return;
+    }
+    for (size_t b = 0; b < count; b++)
+        for (size_t k = 0; k < n; k++, in += inner, out += inner)
+            for (size_t i = 0; i < inner; i++)
+                out[i] = in[i] / row[k];
+}
+
+void ix__bern_elevate(int d, int e, const double *row, size_t inner,
+                      const double *in, double *out)
+{
+    memset(out, 0, (size_t)(d + e + 1) * inner * sizeof *out);
+    for (int k = 0; k <= d; k++) {
+        const double *a = in + (size_t)k * inner;
+
+        for (int j = 0; j <= e; j++) {
+            double *o = out + (size_t)(k + j) * inner;
+
+            for (size_t i = 0; i < inner; i++)
+                o[i] += row[j] * a[i];
+        }
+    }
+}
+
+void ix__bern_partial_u(int d, double f, size_t inner, const double *in,
+                        double *out)
+{
+    for (int k = 0; k < d; k++)
+        for (size_t i = 0; i < inner; i++)
+            out[(size_t)k * inner + i] = f * (k + 1) *
+                                         in[(size_t)(k + 1) * inner + i];
+}
+
+void ix__bern_partial_v(int d, double f, size_t inner, const double *in,
+                        double *out)
+{
+    for (int k = 0; k < d; k++)
+        for (size_t i = 0; i < inner; i++)
+            out[(size_t)k * inner + i] = f * (d - k) *
+                                         in[(size_t)k * inner + i];
+}
+
+void ix__bern_derive(int d, double f, size_t inner, const double *in,
+                     double *out)
+{
+    for (int k = 0; k < d; k++) {
+        const double *a = in + (size_t)k * inner;
+
+        for (size_t i = 0; i < inner; i++)
+            out[(size_t)k * inner + i] = f * ((k + 1) * a[inner + i] -
+                                              (d - k) * a[i]);
+    }
+}
+
+void ix__bern_integrate(int d, double f, const double *row, const double *row1,
+                        size_t inner, const double *in, double *start,
+                        double *out)
+{
+    memcpy(out, start, inner * sizeof *out);
+    for (int k = 0; k <= d; k++) {
+        const double *a = in + (size_t)k * inner;
+        double *o = out + (size_t)(k + 1) * inner;
+
+        for (size_t i = 0; i < inner; i++) {
+            start[i] += f * (a[i] / row[k]) / (d + 1);
+            o[i] = row1[k + 1] * start[i];
+        }
+    }
+}
+
+/* One sweep of de Casteljau's rule over the rows 0 .. d, at parameter t:
+ * row k becomes the blossom with t in k places (from below), or with t in
+ * d - k places (from above). */
+static void subdivide_low(int d, double t, size_t inner, double *x)
+{
+    for (int r = 1; r <= d; r++)
+        for (int k = d; k >= r; k--)
+            for (size_t i = 0; i < inner; i++) {
+                double *p = x + (size_t)k * inner + i;
+
+                *p = (1.0 - t) * p[-(ptrdiff_t)inner] + t * *p;
+            }
+}
+
+static void subdivide_high(int d, double t, size_t inner, double *x)
+{
+    for (int r = 1; r <= d; r++)
+        for (int k = 0; k <= d - r; k++)
+            for (size_t i = 0; i < inner; i++) {
+                double *p = x + (size_t)k * inner + i;
+
+                *p = (1.0 - t) * *p + t * p[inner];
+            }
+}
+
+void ix__bern_restrict(int d, double a, double b, size_t inner,
+                       const double *in, double *out)
+{
+    if (in != out)
+        memcpy(out, in, (size_t)(d + 1) * inner * sizeof *out);
+    if (fabs(b) >= fabs(1.0 - a)) {
+        if (b != 1.0)
+            subdivide_low(d, b, inner, out);
+        if (a != 0.0)
+            subdivide_high(d, a / b, inner, out);
+    } else {
+        subdivide_high(d, a, inner, out);
+        if (b != 1.0)
+            subdivide_low(d, (b - a) / (1.0 - a), inner, out);
+    }
+}
+
+double ix__bern_value(int d, const double *c, double u, double v)
+{
+    double r = c[0], pw = 1.0;
+
+    for (int k = 1; k <= d; k++) {
+        pw *= u;
+        r = r * v + c[k] * pw;
+    }
+    return r;
+}
+
+int ix__bern_variations(int n, const double *c, double band, bool *undecided)
+{
+    double last = 0.0;
+    int count = 0;
+
+    if (undecided)
+        *undecided = false;
+    for (int k = 0; k < n; k++) {
+        if (!(fabs(c[k]) > band)) {
+            if (undecided)
+                *undecided = true;
+            continue;
+        }
+        count += last != 0.0 && (c[k] > 0.0) != (last > 0.0);
+        last = c[k];
+    }
+    return count;
+}
