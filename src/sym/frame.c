@@ -1,0 +1,64 @@
+/* frame.c - carrying inputs into the unit box and results back. The scale is
+ * a power of two, the shift is subtracted from the input with one rounding. */
+#include <math.h>
+
+#include "sym/form.h"
+
+/* Grows the boxes by the projected control points of m; false if none has a
+ * weight that projects to a finite point. */
+static bool grow(const ix_mv *m, int nc, double *lo, double *hi)
+{
+    const double *w = ix_mv_weights(m);
+    bool any = false;
+
+    for (size_t i = 0; i < m->npts; i++) {
+        if (w && w[i] == 0.0)
+            continue;
+        for (int k = 0; k < nc && k < m->ncoords; k++) {
+            double x = ix_mv_coord(m, k)[i];
+
+            x = w ? x / w[i] : x;
+            if (!isfinite(x))
+                continue;
+            lo[k] = fmin(lo[k], x);
+            hi[k] = fmax(hi[k], x);
+            any = true;
+        }
+    }
+    return any;
+}
+
+ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
+{
+    double lo[IX_MAX_COORDS], hi[IX_MAX_COORDS], size = 0.0, far = 0.0;
+    bool any = false;
+
+    *out = (ix_frame){.ncoords = 0};
+    for (int i = 0; i < n; i++)
+        if (m[i]->ncoords > out->ncoords)
+            out->ncoords = m[i]->ncoords;
+    for (int k = 0; k < out->ncoords; k++) {
+        lo[k] = HUGE_VAL;
+        hi[k] = -HUGE_VAL;
+    }
+    for (int i = 0; i < n; i++)
+        any |= grow(m[i], out->ncoords, lo, hi);
+    if (!any)
+        return IX_FAIL(ctx, IX_EDOMAIN, "all weights are zero");
+    for (int k = 0; k < out->ncoords; k++) {
+        out->shift[k] = lo[k] / 2 + hi[k] / 2;
+        size = fmax(size, hi[k] - out->shift[k]);
+        far = fmax(far, fmax(fabs(lo[k]), fabs(hi[k])));
+    }
+    if (size > 0.0)
+        (void)frexp(size, &out->exp);
+    out->noise = ldexp(far, -out->exp) * 0x1p-53;
+    return IX_OK;
+}
+
+void ix__frame_back(const ix_frame *f, size_t n, const double *w, double *x)
+{
+    for (int k = 0; k < f->ncoords; k++, x += n)
+        for (size_t i = 0; i < n; i++)
+            x[i] = ldexp(x[i], f->exp) + f->shift[k] * (w ? w[i] : 1.0);
+}

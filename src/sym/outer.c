@@ -1,0 +1,131 @@
+/* outer.c - sums of products of functions of different variables: each factor
+ * is composed once, the grid is written once. */
+#include "sym/outer.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+#include "bern/bern.h"
+
+typedef struct {
+    const ix_outer *f;
+    const double *u, *v;
+    size_t nu, nv;
+    const int *first; /* [nrows + 1]: terms of each row */
+    double *out;
+} grid;
+
+enum { MAX_TERMS = 64 }; /* combined at a time */
+
+/* Line i % nv of row i / nv. */
+static void write_line(const grid *g, size_t i)
+{
+    int row = (int)(i / g->nv), lo = g->first[row], hi = g->first[row + 1];
+    size_t j = i % g->nv;
+    double f[MAX_TERMS + 1], *line = g->out + i * g->nu;
+    const double *x[MAX_TERMS + 1];
+    int k = 0;
+
+    if (lo == hi)
+        memset(line, 0, g->nu * sizeof *line);
+    while (lo < hi) {
+        for (; lo < hi && k < MAX_TERMS; lo++, k++) {
+            const ix_outer_term *t = &g->f->terms[lo];
+
+            f[k] = t->coef * g->v[(size_t)t->v * g->nv + j];
+            x[k] = g->u + (size_t)t->u * g->nu;
+        }
+        ix__bern_combine(g->nu, k, f, x, line);
+        f[0] = 1.0; /* what is there goes on as the first term */
+        x[0] = line;
+        k = 1;
+    }
+}
+
+static void write_lines(void *arg, size_t begin, size_t end)
+{
+    for (size_t i = begin; i < end; i++)
+        write_line(arg, i);
+}
+
+static double largest(size_t n, const double *x)
+{
+    double big = 0.0;
+
+    for (size_t i = 0; i < n; i++)
+        big = fmax(big, fabs(x[i]));
+    return big;
+}
+
+static void term_sizes(const grid *g, double *size)
+{
+    memset(size, 0, (size_t)g->f->nrows * sizeof *size);
+    for (int k = 0; k < g->f->nterms; k++) {
+        const ix_outer_term *t = &g->f->terms[k];
+
+        size[t->row] += fabs(t->coef) *
+                        largest(g->nu, g->u + (size_t)t->u * g->nu) *
+                        largest(g->nv, g->v + (size_t)t->v * g->nv);
+    }
+}
+
+static size_t points_of(int n, const ix_dir *dirs)
+{
+    size_t p = 1;
+
+    for (int i = 0; i < n; i++)
+        p *= (size_t)dirs[i].length;
+    return p;
+}
+
+ix_status ix__outer_points(ix_ctx *ctx, const ix_outer *f, const ix_sym_opts *o,
+                           ix_dir *dirs, double **pts, double *size)
+{
+    grid g = {.f = f};
+    int *first, k = 0, nu = f->u->ndirs;
+    size_t lines;
+
+    IX_TRY(ix__form_dirs(ctx, f->u, o, dirs));
+    IX_TRY(ix__form_dirs(ctx, f->v, o, dirs + nu));
+    IX_TRY(ix__form_points(ctx, f->u, dirs, &g.u));
+    IX_TRY(ix__form_points(ctx, f->v, dirs + nu, &g.v));
+    g.nu = points_of(nu, dirs);
+    g.nv = points_of(f->v->ndirs, dirs + nu);
+    if (__builtin_mul_overflow((size_t)f->nrows, g.nv, &lines) ||
+        lines > SIZE_MAX / 16 / g.nu)
+        return IX_FAIL(ctx, IX_ENOMEM, "a grid of %zu by %zu points", g.nu,
+                       g.nv);
+    IX_SCRATCH(ctx, first, f->nrows + 1);
+    for (int r = 0; r <= f->nrows; r++) {
+        while (k < f->nterms && f->terms[k].row < r)
+            k++;
+        first[r] = k;
+    }
+    g.first = first;
+    IX_SCRATCH(ctx, g.out, lines * g.nu);
+    ix__parallel(ctx, lines, 10.0 + 0.2 * (double)g.nu * f->nterms / f->nrows,
+                 write_lines, &g);
+    if (size)
+        term_sizes(&g, size);
+    *pts = g.out;
+    return ix__poll(ctx);
+}
+
+ix_status ix__outer_eval(ix_ctx *ctx, const ix_outer *f, const double *s,
+                         const double *t, double *out)
+{
+    double *u, *v;
+
+    IX_SCRATCH(ctx, u, f->u->nrows);
+    IX_SCRATCH(ctx, v, f->v->nrows);
+    ix__form_eval(f->u, s, u);
+    ix__form_eval(f->v, t, v);
+    memset(out, 0, (size_t)f->nrows * sizeof *out);
+    for (int k = 0; k < f->nterms; k++) {
+        const ix_outer_term *e = &f->terms[k];
+
+        out[e->row] += e->coef * u[e->u] * v[e->v];
+    }
+    return IX_OK;
+}
