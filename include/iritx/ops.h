@@ -1,0 +1,79 @@
+/* ops.h - the geometric operators.
+ *
+ * Every operator can build the same geometry in several degree forms and
+ * tells, in a report, what it built and how well the result satisfies its
+ * definition. Options and report may be NULL. */
+#ifndef IRITX_OPS_H
+#define IRITX_OPS_H
+
+#include "iritx/mv.h"
+#include "iritx/sym.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The same geometry in different degrees. */
+typedef enum {
+    IX_FORM_MINIMAL,   /* lowest degree in general position (minors) */
+    IX_FORM_PUBLISHED, /* the formulas and degrees of the paper */
+    IX_FORM_NAIVE,     /* quotient rule and sums of fractions throughout */
+    IX_FORM_IRIT       /* degrees, knots and point types of IRIT 11 */
+} ix_degree_form;
+
+/* Options of operators; NULL stands for the defaults {IX_FORM_MINIMAL,
+ * INT_MAX}. */
+typedef struct {
+    ix_degree_form form;
+    int max_cont; /* as in ix_sym_opts: 0 gives C0 joins */
+} ix_op_opts;
+
+/* What an operator built. */
+typedef struct {
+    ix_degree_form form;
+    int ndirs;
+    int orders[IX_MAX_DIRS]; /* of the result */
+    double residual;         /* of the defining equations, relative; NaN if
+                                nothing could be measured */
+    const char *how;         /* what was measured and where; static text */
+} ix_report;
+
+/* The bisector surface of two space curves.
+ *
+ *   B(s, t): |B - C1(s)| = |B - C2(t)|, (B - C1).C1' = 0, (B - C2).C2' = 0
+ *
+ * one point for each pair of parameters: the centre of the sphere that touches
+ * C1 at s and C2 at t.
+ *
+ * In    c1, c2   curves of at most 3 coordinates (missing ones are 0), any
+ *                basis, polynomial or rational, C0 or better; borrowed
+ *       o        IX_FORM_MINIMAL or IX_FORM_IRIT
+ * Out   *out     rational surface with 3 coordinates, direction 0 over c1's
+ *                domain, direction 1 over c2's; new reference. Degree in each
+ *                direction, d that of the curve: 3d - 1 (both polynomial), 4d
+ *                - 2 (either rational; a polynomial one of degree d then also
+ *                has 4d - 2 at most, 3d - 1 if it alone is polynomial). The
+ *                sum of the weights is positive: all are where one sign
+ *                suffices. Weights of both signs: the surface passes through
+ *                infinity (poles)
+ *       rep      residual: largest ||B - C1| - |B - C2|| relative to |B - C1|
+ *                or the curves' size, on a 5 x 5 grid, poles left out
+ * Err   IX_EDOMAIN  the weight vanishes identically within its error band:
+ *                   coplanar curves, among them intersecting or parallel
+ *                   lines (the message gives weight and band); a curve is a
+ *                   point; both are the same curve; all weights zero
+ *       IX_EARG     not curves, or more than 3 coordinates
+ *       IX_EUNABLE  a degree form that is not built; too high a degree
+ * Num   in a frame of size 1, as six products of minors for each coordinate;
+ *       relative equidistance about 1e-14 (d = 3) where the weight is not
+ *       small; a cubic pair takes about 2 us
+ * Src   Elber and Kim 1998, equations (4)-(6); the degree by minors of lifted
+ *       curves (docs/ops/cbisector3d.md) */
+ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                         const ix_op_opts *o, ix_report *rep,
+                         ix_mv **out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
