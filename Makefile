@@ -25,7 +25,8 @@ WARN := -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Wstrict-prototypes \
         -Wdouble-promotion -Wvla -Wpointer-arith -Wcast-qual -Wformat=2
 # No contraction: the same bits on every machine and in every build.
 FLOAT := -ffp-contract=off -fno-fast-math
-OPT_release := -O2 -g -DNDEBUG
+HARDEN := -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-strong -fstack-clash-protection
+OPT_release := -O2 -g -DNDEBUG $(HARDEN)
 OPT_debug   := -O1 -g
 OPT_asan    := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 OPT_hard    := $(OPT_asan) -DIX_HARDTEST
@@ -36,7 +37,7 @@ endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
 ALL_CPPFLAGS = -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 LIBS         = $(shell pkg-config --libs $(PKGS)) -lm -pthread
-LINK         = $(CC) $(OPT_$(CFG)) $(LDFLAGS)
+LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 
 # --- files -------------------------------------------------------------------
 LIB_SRC   := $(filter-out src/app/%,$(wildcard src/*/*.c))
