@@ -54,7 +54,7 @@ PROG      := $(if $(APP_SRC),$(B)/iritx)
 TESTS     := $(call bin,$(TEST_SRC))
 ALL_OBJ   := $(call obj,$(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS) $(BENCH_SRC))
 
-.PHONY: all help setup demo check check-san lint analyze bench install \
+.PHONY: all help setup demo check check-san coverage lint analyze bench install \
         uninstall dist clean format format-check FORCE
 .SECONDARY: $(ALL_OBJ) $(TESTS) $(call bin,$(BENCH_SRC))
 .DELETE_ON_ERROR:
@@ -110,6 +110,8 @@ check: all $(TESTS)                                 ## all tests; ends with "N p
 	@tests/harness/check $(foreach p,$(PARTS),"$(RUN_$(p))")
 check-san:                                          ## the same with address and undefined behaviour sanitizers
 	@$(MAKE) --no-print-directory CFG=asan check
+coverage:                                           ## lines and branches that "check" runs
+	@$(MAKE) --no-print-directory CFG=cov CC=gcc check; scripts/dev/coverage build/cov
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
