@@ -1,0 +1,12 @@
+/* crvs.h - making the rows of curves that geom.h returns. */
+#ifndef GEOM_CRVS_H
+#define GEOM_CRVS_H
+
+#include "base/ctx.h"
+#include "iritx/geom.h"
+
+/* n empty places (NULL, [0, 0]), to be filled; ix_crvs_free takes partly
+ * filled ones. */
+ix_status ix__crvs_new(ix_ctx *ctx, int n, ix_crvs *out) IX_MUST_CHECK;
+
+#endif
