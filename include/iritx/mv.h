@@ -146,12 +146,16 @@ ix_status ix_mv_to_bezier(ix_ctx *ctx, const ix_mv *m,
                           ix_mv_pieces *out) IX_MUST_CHECK;
 void ix_mv_pieces_free(ix_ctx *ctx, ix_mv_pieces *p);
 
+/* Operations that make one direction a B-spline make all of them B-splines, as
+ * the file formats have one basis for a whole object. */
+
 /* Inserts n knots (sorted inside) in one direction; Bezier becomes B-spline,
  * periodic becomes float. Err IX_EARG a knot outside the domain, or a
  * multiplicity above the order. */
 ix_status ix_mv_insert_knots(ix_ctx *ctx, const ix_mv *m, int dir, int n,
                              const double *knots, ix_mv **out) IX_MUST_CHECK;
-/* Replaces the knot vector (same number of knots; the shape changes). */
+/* Replaces the knot vector (same number of knots; the shape changes). Bezier
+ * becomes B-spline. */
 ix_status ix_mv_set_knots(ix_ctx *ctx, const ix_mv *m, int dir, int nknots,
                           const double *knots, ix_mv **out) IX_MUST_CHECK;
 /* Raises the order of one direction, exactly; B-splines keep their
@@ -174,7 +178,9 @@ ix_status ix_mv_region(ix_ctx *ctx, const ix_mv *m, int dir, double t0,
                        double t1, ix_mv **out) IX_MUST_CHECK;
 ix_status ix_mv_split(ix_ctx *ctx, const ix_mv *m, int dir, double t,
                       ix_mv *out[2]) IX_MUST_CHECK;
-/* t -> t_first + t_last - t in one direction (knots mirrored). */
+/* t -> t_first + t_last - t in one direction (knots mirrored). Periodic: the
+ * stored points and the gaps between knots are reversed, the domain stays, so
+ * that the closed curve is the same with its start order - 1 knots away. */
 ix_status ix_mv_reverse(ix_ctx *ctx, const ix_mv *m, int dir,
                         ix_mv **out) IX_MUST_CHECK;
 /* Exchanges two directions. */
@@ -185,7 +191,8 @@ ix_status ix_mv_reparam(ix_ctx *ctx, const ix_mv *m, int dir, double t0,
                         double t1, ix_mv **out) IX_MUST_CHECK;
 
 /* Point type: adds zero coordinates, drops trailing ones, adds weight 1, or
- * divides every control point by its weight (which changes the shape). */
+ * divides every control point by its weight (which changes the shape; weight
+ * 0 counts as 1e-14, spec/model 4). */
 ix_status ix_mv_coerce(ix_ctx *ctx, const ix_mv *m, int ncoords, bool rational,
                        ix_mv **out) IX_MUST_CHECK;
 
@@ -201,6 +208,13 @@ typedef enum {
  * spec model.md 12 gives the knots of the bridge. */
 ix_status ix_mv_merge(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, int dir,
                       ix_join how, ix_mv **out) IX_MUST_CHECK;
+
+/* The curve m and a straight segment to the point p[axes] (homogeneous if m is
+ * rational), before m (then its domain starts earlier) or after it. The knot
+ * span of the segment is that of the curve per length of control polygon
+ * (spec/model 12). Becomes an open B-spline. Err IX_EARG not a curve. */
+ix_status ix_mv_add_point(ix_ctx *ctx, const ix_mv *m, const double *p,
+                          bool before, ix_mv **out) IX_MUST_CHECK;
 
 /* Same point type, orders and knots (b's domains are mapped onto a's).
  * flags: what to make equal. */
@@ -247,7 +261,8 @@ ix_status ix_mv_set_point(ix_ctx *ctx, const ix_mv *m, size_t idx,
 
 /* x' = x M in row vectors (4x4, row-major, translation in the last row),
  * homogeneous, of the first three coordinates; the point type is kept,
- * missing coordinates are 0 before and dropped after. */
+ * missing coordinates are 0 before and dropped after. Only a matrix with a
+ * perspective part makes a polynomial multivariate rational. */
 ix_status ix_mv_transform(ix_ctx *ctx, const ix_mv *m, const double mat[16],
                           ix_mv **out) IX_MUST_CHECK;
 

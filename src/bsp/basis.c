@@ -2,76 +2,51 @@
  *
  * The triangle of de Boor and Cox, transposed, with one argument a level
  * (Cohen, Lyche, Riesenfeld 1980, the Oslo algorithm): every level is a
- * convex combination when the arguments are in order. */
+ * convex combination when the arguments are in order. Each factor is divided
+ * out by itself, so that at a knot it is exactly 0 or 1. */
 #include "bsp/basis.h"
+
+/* Argument of level r is args[(r - 1) * step]. */
+static inline void spline_triangle(const double *knots, int mu, int d,
+                                   const double *args, int step, double *w)
+{
+    w[0] = 1;
+    for (int r = 1; r <= d; r++) {
+        const double *lo = knots + mu + 1 - r, *hi = knots + mu + 1;
+        double x = args[(r - 1) * step], saved = 0;
+
+        for (int q = 0; q < r; q++) {
+            double gap = hi[q] - lo[q], v = w[q];
+
+            w[q] = saved + (hi[q] - x) / gap * v;
+            saved = (x - lo[q]) / gap * v;
+        }
+        w[r] = saved;
+    }
+}
+
+/* The same with every lo = 0 and hi = 1. */
+static inline void bezier_triangle(int d, const double *args, int step,
+                                   double *w)
+{
+    w[0] = 1;
+    for (int r = 1; r <= d; r++) {
+        double x = args[(r - 1) * step], saved = 0;
+
+        for (int q = 0; q < r; q++) {
+            double v = w[q];
+
+            w[q] = saved + (1 - x) * v;
+            saved = x * v;
+        }
+        w[r] = saved;
+    }
+}
 
 void ix__blossom_weights(const double *knots, int mu, int d, const double *args,
                          double *w)
 {
-    w[0] = 1;
-    for (int r = 1; r <= d; r++) {
-        const double *lo = knots + mu + 1 - r, *hi = knots + mu + 1;
-        double x = args[r - 1], saved = 0;
-
-        for (int q = 0; q < r; q++) {
-            double v = w[q] / (hi[q] - lo[q]);
-
-            w[q] = saved + (hi[q] - x) * v;
-            saved = (x - lo[q]) * v;
-        }
-        w[r] = saved;
-    }
-}
-
-/* The same for equal arguments t and d levels only. */
-static void basis_weights(const double *knots, int mu, int d, double t,
-                          double *w)
-{
-    w[0] = 1;
-    for (int r = 1; r <= d; r++) {
-        const double *lo = knots + mu + 1 - r, *hi = knots + mu + 1;
-        double saved = 0;
-
-        for (int q = 0; q < r; q++) {
-            double v = w[q] / (hi[q] - lo[q]);
-
-            w[q] = saved + (hi[q] - t) * v;
-            saved = (t - lo[q]) * v;
-        }
-        w[r] = saved;
-    }
-}
-
-static void bernstein_blossom(int d, const double *args, double *w)
-{
-    w[0] = 1;
-    for (int r = 1; r <= d; r++) {
-        double t = args[r - 1], saved = 0;
-
-        for (int q = 0; q < r; q++) {
-            double v = w[q];
-
-            w[q] = saved + (1 - t) * v;
-            saved = t * v;
-        }
-        w[r] = saved;
-    }
-}
-
-static void bernstein_weights(int d, double t, double *w)
-{
-    w[0] = 1;
-    for (int r = 1; r <= d; r++) {
-        double saved = 0;
-
-        for (int q = 0; q < r; q++) {
-            double v = w[q];
-
-            w[q] = saved + (1 - t) * v;
-            saved = t * v;
-        }
-        w[r] = saved;
-    }
+    spline_triangle(knots, mu, d, args, 1, w);
 }
 
 /* k-th derivative of 1, t, t^2, ... */
@@ -105,7 +80,7 @@ void ix__basis_blossom(const ix_dir *dir, int first, const double *args,
     if (dir->basis == IX_BSPLINE)
         ix__blossom_weights(dir->knots, first + d, d, args, w);
     else
-        bernstein_blossom(d, args, w);
+        bezier_triangle(d, args, 1, w);
 }
 
 /* Weights of degree e over differences become weights of degree e + 1 over
@@ -141,9 +116,9 @@ void ix__basis_derive(const ix_dir *dir, int first, double t, int k, double *w)
         return;
     }
     if (dir->basis == IX_BSPLINE)
-        basis_weights(dir->knots, mu, d - k, t, w);
+        spline_triangle(dir->knots, mu, d - k, &t, 0, w);
     else
-        bernstein_weights(d - k, t, w);
+        bezier_triangle(d - k, &t, 0, w);
     for (int e = d - k; e < d; e++)
         undo_difference(dir, mu, e, w);
 }

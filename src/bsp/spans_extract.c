@@ -21,11 +21,16 @@ typedef struct {
     const int *mu; /* [nspans]: the knot span that holds each span */
 } job;
 
-/* x = r x + s y on n lanes. */
+/* x = r x + s y with r + s = 1, on n lanes, from the nearer of both: equal x
+ * and y stay as they are, so that a constant stays exactly constant. */
 static inline void mix(double *x, double r, const double *y, double s, int n)
 {
-    for (int l = 0; l < n; l++)
-        x[l] = r * x[l] + s * y[l];
+    if (s <= r)
+        for (int l = 0; l < n; l++)
+            x[l] += s * (y[l] - x[l]);
+    else
+        for (int l = 0; l < n; l++)
+            x[l] = y[l] + r * (x[l] - y[l]);
 }
 
 /* On [a, b] inside the knot span mu: buf[degree + 1][n] holds the B-spline

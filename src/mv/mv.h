@@ -4,6 +4,7 @@
 #define MV_MV_H
 
 #include "base/ctx.h"
+#include "bsp/band.h"
 #include "iritx/mv.h"
 
 struct ix_mv {
@@ -16,11 +17,69 @@ struct ix_mv {
     double *pts;  /* [naxes][npts], inside the block, 64-byte aligned */
 };
 
+/* Returns what expr returns, its scratch released. */
+#define IX_RETURN_SCOPED(ctx, expr)               \
+    do {                                          \
+        ix_mark ix_mark_ = ix__scratch_mark(ctx); \
+        ix_status ix_scoped_ = (expr);            \
+        ix__scratch_release((ctx), ix_mark_);     \
+        return ix_scoped_;                        \
+    } while (0)
+
 /* A block with room for the given shape: directions and knots copied, refs
  * 1, points unset. For builders: they fill pts, then return it as it is. The
  * caller has checked that the shape is legal; IX_ENOMEM otherwise only. */
 ix_status ix__mv_alloc(ix_ctx *ctx, int ndirs, const ix_dir *dirs, int ncoords,
                        bool rational, ix_mv **out) IX_MUST_CHECK;
+
+/* The knots of a direction while m is being built. */
+double *ix__mv_knots(ix_mv *m, int dir);
+
+/* A block like m's with direction dir replaced by nd; points unset. */
+ix_status ix__mv_alloc_like(ix_ctx *ctx, const ix_mv *m, int dir,
+                            const ix_dir *nd, ix_mv **out) IX_MUST_CHECK;
+
+/* One axis after another, m's points seen along a direction are
+ * double[outer][length][inner]. */
+typedef struct {
+    size_t outer, inner;
+} ix__shape;
+ix__shape ix__mv_shape(const ix_mv *m, int dir);
+
+/* m with the knots of a B-spline direction replaced; no checks. */
+ix_status ix__mv_with_knots(ix_ctx *ctx, const ix_mv *m, int dir,
+                            const double *knots, ix_mv **out) IX_MUST_CHECK;
+
+/* m with the points of direction dir mapped by b, that direction becoming nd
+ * (b->nrows points). */
+ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_band *b,
+                     const ix_dir *nd, ix_mv **out) IX_MUST_CHECK;
+
+/* The open B-spline over [t0, t1], t0 < t1 inside the domain, of a B-spline
+ * direction. */
+ix_status ix__mv_clip(ix_ctx *ctx, const ix_mv *m, int dir, const double t[2],
+                      ix_mv **out) IX_MUST_CHECK;
+/* A periodic direction made float: points repeated at its end. */
+ix_status ix__mv_unwrap(ix_ctx *ctx, const ix_mv *m, int dir,
+                        ix_mv **out) IX_MUST_CHECK;
+/* Direction dir made open; m itself if it is. */
+ix_status ix__mv_open_dir(ix_ctx *ctx, const ix_mv *m, int dir,
+                          ix_mv **out) IX_MUST_CHECK;
+
+/* n multivariates made compatible, domains and bases as the first one's; new
+ * references in out[n]. flags as ix_mv_compatible. */
+ix_status ix__mv_compatible_all(ix_ctx *ctx, int n, const ix_mv *const *in,
+                                unsigned flags, ix_mv **out) IX_MUST_CHECK;
+/* ix_mv_compatible with flags for each direction: flags[ndirs]. Point types
+ * are made equal if any of them says so. */
+ix_status ix__mv_compatible_dirs(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                                 const unsigned *flags, ix_mv **outa,
+                                 ix_mv **outb) IX_MUST_CHECK;
+
+/* A chain of operations: *cur is released and becomes *next if st is IX_OK,
+ * else NULL. Returns st. */
+ix_status ix__mv_step(ix_ctx *ctx, ix_mv **cur, ix_mv **next,
+                      ix_status st) IX_MUST_CHECK;
 
 /* The checks of ix_mv_new without the points. */
 ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,
@@ -30,6 +89,12 @@ ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,
  * ix_mv_eval does. Err IX_EDOMAIN. */
 ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d,
                        double *t) IX_MUST_CHECK;
+
+/* Err IX_EARG unless m has a direction dir. */
+ix_status ix__mv_check_dir(ix_ctx *ctx, const ix_mv *m, int dir) IX_MUST_CHECK;
+
+/* Knots that are meant to be one (4 ulp of the largest) become equal. */
+void ix__mv_join_knots(const ix_dir *dir, double *knots);
 
 /* Stride of a direction inside one axis, in points. */
 size_t ix__mv_stride(const ix_mv *m, int dir);

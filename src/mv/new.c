@@ -215,8 +215,12 @@ static ix_status check_points(ix_ctx *ctx, int naxes, bool rational,
     return IX_OK;
 }
 
-/* Knots that are meant to be one become equal, the first of them. */
-static void join_knots(const ix_dir *dir, double *k)
+double *ix__mv_knots(ix_mv *m, int dir)
+{
+    return (double *)(uintptr_t)m->dirs[dir].knots; /* inside m's own block */
+}
+
+void ix__mv_join_knots(const ix_dir *dir, double *k)
 {
     int n = ix_knots_count(dir);
     double tol = n ? ix__knots_ulp4(n, k) : 0;
@@ -240,7 +244,7 @@ ix_status ix_mv_new(ix_ctx *ctx, int ndirs, const ix_dir *dirs, int ncoords,
     IX_TRY(check_points(ctx, naxes, rational, npts, pts));
     IX_TRY(ix__mv_alloc(ctx, ndirs, dirs, ncoords, rational, &m));
     for (int d = 0; d < ndirs; d++)
-        join_knots(m->dirs + d, (double *)(uintptr_t)m->dirs[d].knots);
+        ix__mv_join_knots(m->dirs + d, ix__mv_knots(m, d));
     memcpy(m->pts, pts, (size_t)naxes * npts * sizeof(double));
     *out = m;
     return IX_OK;

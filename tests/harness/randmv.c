@@ -197,3 +197,26 @@ void ix_mv_randparam(ix_rng *r, const ix_mv *m, double *t)
         }
     }
 }
+
+void ix_mv_assert_same(ix_ctx *ctx, ix_rng *r, const ix_mv *a, const ix_mv *b,
+                       double tol)
+{
+    int na = ix_mv_naxes(a);
+    double size = 1, t[IX_MAX_DIRS];
+
+    assert_int_equal(ix_mv_ndirs(a), ix_mv_ndirs(b));
+    assert_int_equal(na, ix_mv_naxes(b));
+    for (size_t i = 0; i < ix_mv_npts(a) * (size_t)na; i++)
+        size = fmax(size, fabs(ix_mv_axis(a, 0)[i]));
+    for (int trial = 0; trial < 12; trial++) {
+        double va[IX_MAX_COORDS + 1], vb[IX_MAX_COORDS + 1];
+
+        ix_mv_randparam(r, a, t);
+        ASSERT_OK(ctx, ix_mv_eval(ctx, a, t, va));
+        ASSERT_OK(ctx, ix_mv_eval(ctx, b, t, vb));
+        for (int k = 0; k < na; k++)
+            if (!(fabs(va[k] - vb[k]) <= tol * size))
+                fail_msg("axis %d at (%.17g, ..): %.17g and %.17g", k, t[0],
+                         va[k], vb[k]);
+    }
+}

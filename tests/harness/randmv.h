@@ -37,4 +37,9 @@ ix_mv *ix_mv_randtest(ix_ctx *ctx, ix_rng *r, const ix_rand_opts *o);
  * at an end of the domain. */
 void ix_mv_randparam(ix_rng *r, const ix_mv *m, double *t);
 
+/* Asserts that a and b have the same homogeneous values at random parameters
+ * of a's domain, relative to the largest control value of a. */
+void ix_mv_assert_same(ix_ctx *ctx, ix_rng *r, const ix_mv *a, const ix_mv *b,
+                       double tol);
+
 #endif

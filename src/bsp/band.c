@@ -1,0 +1,214 @@
+/* band.c - linear maps of one direction whose rows are short. */
+#include "bsp/band.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/threads.h"
+#include "bsp/basis.h"
+
+ix_status ix__band_alloc(ix_ctx *ctx, int nrows, int width, ix_band *out)
+{
+    size_t n;
+
+    if (__builtin_mul_overflow((size_t)nrows, (size_t)width, &n))
+        return IX_FAIL(ctx, IX_ENOMEM, "a band of %d rows of %d", nrows, width);
+    *out = (ix_band){.nrows = nrows, .width = width, .affine = true};
+    IX_SCRATCH(ctx, out->first, nrows);
+    IX_SCRATCH(ctx, out->heavy, nrows);
+    IX_SCRATCH(ctx, out->w, n);
+    return IX_OK;
+}
+
+void ix__band_weigh(ix_band *b)
+{
+    for (int i = 0; i < b->nrows; i++) {
+        const double *w = b->w + (size_t)i * (size_t)b->width;
+        int best = 0;
+
+        for (int q = 1; q < b->width; q++)
+            if (fabs(w[q]) > fabs(w[best]))
+                best = q;
+        b->heavy[i] = best;
+    }
+}
+
+/* True if the d arguments are consecutive knots of the span mu's window; then
+ * w is the single 1 that selects the point which they belong to. */
+static bool selects_point(const double *knots, int mu, int d,
+                          const double *args, double *w)
+{
+    int last = mu, run = 0, j;
+
+    if (d == 0) {
+        w[0] = 1;
+        return true;
+    }
+    while (run < d && args[run] == args[0])
+        run++;
+    while (last < mu + d && knots[last + 1] <= args[0])
+        last++;
+    while (last > mu - d && knots[last] > args[0])
+        last--;
+    j = last - run; /* arguments should be knots[j + 1 .. j + d] */
+    if (j < mu - d || j > mu ||
+        memcmp(knots + j + 1, args, (size_t)d * sizeof *args) != 0)
+        return false;
+    for (int q = 0; q <= d; q++)
+        w[q] = q == j - (mu - d);
+    return true;
+}
+
+ix_status ix__band_refine(ix_ctx *ctx, const ix_dir *dir, int length,
+                          const double *knots, ix_band *out)
+{
+    int d = dir->order - 1, mu = d, end = ix__dir_npoints(dir);
+    const double *t = dir->knots;
+
+    IX_TRY(ix__band_alloc(ctx, length, d + 1, out));
+    while (t[end - 1] >= t[end]) /* the last span of the domain is not empty */
+        end--;
+    for (int i = 0; i < length; i++) {
+        double *w = out->w + (size_t)i * (size_t)(d + 1);
+
+        while (mu < end - 1 && t[mu + 1] <= knots[i])
+            mu++;
+        while (t[mu] >= t[mu + 1])
+            mu++;
+        out->first[i] = mu - d;
+        if (!selects_point(t, mu, d, knots + i + 1, w))
+            ix__blossom_weights(t, mu, d, knots + i + 1, w);
+    }
+    ix__band_weigh(out);
+    return IX_OK;
+}
+
+ix_status ix__band_sample(ix_ctx *ctx, const ix_dir *dir, int n,
+                          const double *t, ix_band *out)
+{
+    IX_TRY(ix__band_alloc(ctx, n, dir->order, out));
+    out->affine = dir->basis != IX_POWER;
+    for (int i = 0; i < n; i++) {
+        out->first[i] = ix__basis_first(dir, t[i]);
+        ix__basis_derive(dir, out->first[i], t[i], 0,
+                         out->w + (size_t)i * (size_t)dir->order);
+    }
+    ix__band_weigh(out);
+    return IX_OK;
+}
+
+/* Row j of raising has the weights C(from, i) C(up, j - i) / C(to, j): a
+ * hypergeometric distribution. They are built outwards from the largest, so
+ * that nothing overflows, and then divided by their sum. */
+static void raise_row(int from, int up, int j, double *w)
+{
+    int lo = j > up ? j - up : 0, hi = j < from ? j : from;
+    int top = (int)((double)(from + 1) * (j + 1) / (from + up + 2));
+    double sum = 1;
+
+    top = top < lo ? lo : top > hi ? hi : top;
+    for (int i = 0; i <= from; i++)
+        w[i] = 0;
+    w[top] = 1;
+    for (int i = top; i < hi; i++) {
+        w[i + 1] = w[i] * ((double)(from - i) * (j - i)) /
+                   ((double)(i + 1) * (up - j + i + 1));
+        sum += w[i + 1];
+    }
+    for (int i = top; i > lo; i--) {
+        w[i - 1] = w[i] * ((double)i * (up - j + i)) /
+                   ((double)(from - i + 1) * (j - i + 1));
+        sum += w[i - 1];
+    }
+    for (int i = lo; i <= hi; i++)
+        w[i] /= sum;
+}
+
+ix_status ix__band_raise(ix_ctx *ctx, int from, int to, ix_band *out)
+{
+    IX_TRY(ix__band_alloc(ctx, to + 1, from + 1, out));
+    for (int j = 0; j <= to; j++) {
+        out->first[j] = 0;
+        raise_row(from, to - from, j, out->w + (size_t)j * (size_t)(from + 1));
+    }
+    ix__band_weigh(out);
+    return IX_OK;
+}
+
+/* --- application -------------------------------------------------------- */
+
+typedef struct {
+    const ix_band *b;
+    int n;
+    size_t outer, inner;
+    const double *in;
+    double *out;
+} job;
+
+/* Row i of the points p: p[heavy] + sum of w[q] (p[q] - p[heavy]). */
+static double combine(const job *jb, size_t i, const double *p)
+{
+    const ix_band *b = jb->b;
+    const double *w = b->w + i * (size_t)b->width;
+    int first = b->first[i];
+    double ref = b->affine ? p[(first + b->heavy[i]) % jb->n] : 0, sum = 0;
+
+    if (first + b->width <= jb->n) {
+        for (int q = 0; q < b->width; q++)
+            sum += w[q] * (p[first + q] - ref);
+        return ref + sum;
+    }
+    for (int q = 0; q < b->width; q++)
+        sum += w[q] * (p[(first + q) % jb->n] - ref);
+    return ref + sum;
+}
+
+/* The same for inner > 1 neighbouring sums. */
+static void combine_rows(const job *jb, size_t i, const double *in, double *out)
+{
+    const ix_band *b = jb->b;
+    const double *w = b->w + i * (size_t)b->width, *ref = NULL;
+    size_t inner = jb->inner;
+    int keep = -1;
+
+    memset(out, 0, inner * sizeof *out);
+    if (b->affine) {
+        keep = b->heavy[i];
+        ref = in + (size_t)((b->first[i] + keep) % jb->n) * inner;
+    }
+    for (int q = 0; q < b->width; q++) {
+        const double *p = in + (size_t)((b->first[i] + q) % jb->n) * inner;
+
+        if (w[q] == 0 || q == keep)
+            continue;
+        for (size_t l = 0; l < inner; l++)
+            out[l] += w[q] * (ref ? p[l] - ref[l] : p[l]);
+    }
+    for (size_t l = 0; ref && l < inner; l++)
+        out[l] += ref[l];
+}
+
+static void apply_items(void *arg, size_t begin, size_t end)
+{
+    const job *jb = arg;
+    size_t rows = (size_t)jb->b->nrows;
+
+    for (size_t k = begin; k < end; k++) {
+        const double *in = jb->in + k / rows * (size_t)jb->n * jb->inner;
+        double *out = jb->out + k * jb->inner;
+
+        if (jb->inner == 1)
+            *out = combine(jb, k % rows, in);
+        else
+            combine_rows(jb, k % rows, in, out);
+    }
+}
+
+void ix__band_apply(ix_ctx *ctx, const ix_band *b, int n, size_t outer,
+                    size_t inner, const double *in, double *out)
+{
+    job jb = {b, n, outer, inner, in, out};
+
+    ix__parallel(ctx, outer * (size_t)b->nrows,
+                 5 + 1.5 * (double)b->width * (double)inner, apply_items, &jb);
+}
