@@ -28,13 +28,13 @@ ix__shape ix__mv_shape(const ix_mv *m, int dir)
     return (ix__shape){m->npts / layer * (size_t)m->naxes, inner};
 }
 
-ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_band *b,
+ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_rows *b,
                      const ix_dir *nd, ix_mv **out)
 {
     ix__shape s = ix__mv_shape(m, dir);
 
     IX_TRY(ix__mv_alloc_like(ctx, m, dir, nd, out));
-    ix__band_apply(ctx, b, m->dirs[dir].length, s.outer, s.inner, m->pts,
+    ix__rows_apply(ctx, b, m->dirs[dir].length, s.outer, s.inner, m->pts,
                    (*out)->pts);
     return IX_OK;
 }

@@ -85,12 +85,12 @@ static ix_status fix(ix_ctx *ctx, const ix_mv *m, int dir, double t,
                      ix_mv **out)
 {
     ix__shape s = ix__mv_shape(m, dir);
-    ix_band band;
+    ix_rows rows;
 
     IX_TRY(ix__mv_param(ctx, m, dir, &t));
-    IX_TRY(ix__band_sample(ctx, m->dirs + dir, 1, &t, &band));
+    IX_TRY(ix__rows_sample(ctx, m->dirs + dir, 1, &t, &rows));
     IX_TRY(without(ctx, m, dir, out));
-    ix__band_apply(ctx, &band, m->dirs[dir].length, s.outer, s.inner, m->pts,
+    ix__rows_apply(ctx, &rows, m->dirs[dir].length, s.outer, s.inner, m->pts,
                    (*out)->pts);
     return IX_OK;
 }

@@ -67,14 +67,14 @@ static ix_status insert(ix_ctx *ctx, const ix_mv *m, int d, int n,
                         const double *knots, ix_mv **out)
 {
     double *sorted;
-    ix_band band;
+    ix_rows rows;
     ix_dir nd;
 
     IX_TRY(prepare(ctx, m, d, n, knots, &sorted));
     IX_TRY(merge_knots(ctx, m->dirs + d, n, sorted, &nd));
     IX_TRY(ix__mv_check_dirs(ctx, 1, &nd, 1));
-    IX_TRY(ix__band_refine(ctx, m->dirs + d, nd.length, nd.knots, &band));
-    return ix__mv_map(ctx, m, d, &band, &nd, out);
+    IX_TRY(ix__rows_refine(ctx, m->dirs + d, nd.length, nd.knots, &rows));
+    return ix__mv_map(ctx, m, d, &rows, &nd, out);
 }
 
 static ix_status insert_scoped(ix_ctx *ctx, const ix_mv *m, int d, int n,

@@ -4,7 +4,7 @@
 #define MV_MV_H
 
 #include "base/ctx.h"
-#include "bsp/band.h"
+#include "bsp/rows.h"
 #include "iritx/mv.h"
 
 struct ix_mv {
@@ -52,7 +52,7 @@ ix_status ix__mv_with_knots(ix_ctx *ctx, const ix_mv *m, int dir,
 
 /* m with the points of direction dir mapped by b, that direction becoming nd
  * (b->nrows points). */
-ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_band *b,
+ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_rows *b,
                      const ix_dir *nd, ix_mv **out) IX_MUST_CHECK;
 
 /* The open B-spline over [t0, t1], t0 < t1 inside the domain, of a B-spline

@@ -9,10 +9,10 @@ static ix_status raise_bezier(ix_ctx *ctx, const ix_mv *m, int dir, int order,
                               ix_mv **out)
 {
     ix_dir nd = {IX_BEZIER, order, order, false, NULL};
-    ix_band band;
+    ix_rows rows;
 
-    IX_TRY(ix__band_raise(ctx, m->dirs[dir].order - 1, order - 1, &band));
-    return ix__mv_map(ctx, m, dir, &band, &nd, out);
+    IX_TRY(ix__rows_raise(ctx, m->dirs[dir].order - 1, order - 1, &rows));
+    return ix__mv_map(ctx, m, dir, &rows, &nd, out);
 }
 
 static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
@@ -23,7 +23,7 @@ static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
     size_t pieces, low, high;
     double *bern, *more;
     ix_spans sp;
-    ix_band band;
+    ix_rows rows;
     ix_dir nd;
 
     IX_TRY(ix__spans_of(ctx, old, &sp));
@@ -33,8 +33,8 @@ static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
     IX_SCRATCH(ctx, bern, pieces * low);
     IX_SCRATCH(ctx, more, pieces * high);
     IX_TRY(ix__spans_extract(ctx, old, &sp, s.outer, s.inner, m->pts, bern));
-    IX_TRY(ix__band_raise(ctx, old->order - 1, order - 1, &band));
-    ix__band_apply(ctx, &band, old->order, pieces, s.inner, bern, more);
+    IX_TRY(ix__rows_raise(ctx, old->order - 1, order - 1, &rows));
+    ix__rows_apply(ctx, &rows, old->order, pieces, s.inner, bern, more);
     sp.degree = order - 1;
     IX_TRY(ix__spans_target(ctx, &sp, INT_MAX, false, &nd));
     IX_TRY(ix__mv_alloc_like(ctx, m, dir, &nd, out));

@@ -86,15 +86,15 @@ ix_status ix__mv_clip(ix_ctx *ctx, const ix_mv *m, int dir, const double t[2],
 {
     ix_mark mk = ix__scratch_mark(ctx);
     ix_status st;
-    ix_band band;
+    ix_rows rows;
     ix_dir nd;
 
     *out = NULL;
     st = clip_knots(ctx, m->dirs + dir, t, &nd);
     if (st == IX_OK)
-        st = ix__band_refine(ctx, m->dirs + dir, nd.length, nd.knots, &band);
+        st = ix__rows_refine(ctx, m->dirs + dir, nd.length, nd.knots, &rows);
     if (st == IX_OK)
-        st = ix__mv_map(ctx, m, dir, &band, &nd, out);
+        st = ix__mv_map(ctx, m, dir, &rows, &nd, out);
     ix__scratch_release(ctx, mk);
     return st;
 }

@@ -1,5 +1,5 @@
-/* band.c - linear maps of one direction whose rows are short. */
-#include "bsp/band.h"
+/* rows.c - linear maps of one direction whose rows are short. */
+#include "bsp/rows.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,20 +7,20 @@
 #include "base/threads.h"
 #include "bsp/basis.h"
 
-ix_status ix__band_alloc(ix_ctx *ctx, int nrows, int width, ix_band *out)
+ix_status ix__rows_alloc(ix_ctx *ctx, int nrows, int width, ix_rows *out)
 {
     size_t n;
 
     if (__builtin_mul_overflow((size_t)nrows, (size_t)width, &n))
-        return IX_FAIL(ctx, IX_ENOMEM, "a band of %d rows of %d", nrows, width);
-    *out = (ix_band){.nrows = nrows, .width = width, .affine = true};
+        return IX_FAIL(ctx, IX_ENOMEM, "%d rows of %d weights", nrows, width);
+    *out = (ix_rows){.nrows = nrows, .width = width, .affine = true};
     IX_SCRATCH(ctx, out->first, nrows);
     IX_SCRATCH(ctx, out->heavy, nrows);
     IX_SCRATCH(ctx, out->w, n);
     return IX_OK;
 }
 
-void ix__band_weigh(ix_band *b)
+void ix__rows_weigh(ix_rows *b)
 {
     for (int i = 0; i < b->nrows; i++) {
         const double *w = b->w + (size_t)i * (size_t)b->width;
@@ -59,13 +59,13 @@ static bool selects_point(const double *knots, int mu, int d,
     return true;
 }
 
-ix_status ix__band_refine(ix_ctx *ctx, const ix_dir *dir, int length,
-                          const double *knots, ix_band *out)
+ix_status ix__rows_refine(ix_ctx *ctx, const ix_dir *dir, int length,
+                          const double *knots, ix_rows *out)
 {
     int d = dir->order - 1, mu = d, end = ix__dir_npoints(dir);
     const double *t = dir->knots;
 
-    IX_TRY(ix__band_alloc(ctx, length, d + 1, out));
+    IX_TRY(ix__rows_alloc(ctx, length, d + 1, out));
     while (t[end - 1] >= t[end]) /* the last span of the domain is not empty */
         end--;
     for (int i = 0; i < length; i++) {
@@ -79,21 +79,21 @@ ix_status ix__band_refine(ix_ctx *ctx, const ix_dir *dir, int length,
         if (!selects_point(t, mu, d, knots + i + 1, w))
             ix__blossom_weights(t, mu, d, knots + i + 1, w);
     }
-    ix__band_weigh(out);
+    ix__rows_weigh(out);
     return IX_OK;
 }
 
-ix_status ix__band_sample(ix_ctx *ctx, const ix_dir *dir, int n,
-                          const double *t, ix_band *out)
+ix_status ix__rows_sample(ix_ctx *ctx, const ix_dir *dir, int n,
+                          const double *t, ix_rows *out)
 {
-    IX_TRY(ix__band_alloc(ctx, n, dir->order, out));
+    IX_TRY(ix__rows_alloc(ctx, n, dir->order, out));
     out->affine = dir->basis != IX_POWER;
     for (int i = 0; i < n; i++) {
         out->first[i] = ix__basis_first(dir, t[i]);
         ix__basis_derive(dir, out->first[i], t[i], 0,
                          out->w + (size_t)i * (size_t)dir->order);
     }
-    ix__band_weigh(out);
+    ix__rows_weigh(out);
     return IX_OK;
 }
 
@@ -124,21 +124,21 @@ static void raise_row(int from, int up, int j, double *w)
         w[i] /= sum;
 }
 
-ix_status ix__band_raise(ix_ctx *ctx, int from, int to, ix_band *out)
+ix_status ix__rows_raise(ix_ctx *ctx, int from, int to, ix_rows *out)
 {
-    IX_TRY(ix__band_alloc(ctx, to + 1, from + 1, out));
+    IX_TRY(ix__rows_alloc(ctx, to + 1, from + 1, out));
     for (int j = 0; j <= to; j++) {
         out->first[j] = 0;
         raise_row(from, to - from, j, out->w + (size_t)j * (size_t)(from + 1));
     }
-    ix__band_weigh(out);
+    ix__rows_weigh(out);
     return IX_OK;
 }
 
 /* --- application -------------------------------------------------------- */
 
 typedef struct {
-    const ix_band *b;
+    const ix_rows *b;
     int n;
     size_t outer, inner;
     const double *in;
@@ -148,7 +148,7 @@ typedef struct {
 /* Row i of the points p: p[heavy] + sum of w[q] (p[q] - p[heavy]). */
 static double combine(const job *jb, size_t i, const double *p)
 {
-    const ix_band *b = jb->b;
+    const ix_rows *b = jb->b;
     const double *w = b->w + i * (size_t)b->width;
     int first = b->first[i];
     double ref = b->affine ? p[(first + b->heavy[i]) % jb->n] : 0, sum = 0;
@@ -166,7 +166,7 @@ static double combine(const job *jb, size_t i, const double *p)
 /* The same for inner > 1 neighbouring sums. */
 static void combine_rows(const job *jb, size_t i, const double *in, double *out)
 {
-    const ix_band *b = jb->b;
+    const ix_rows *b = jb->b;
     const double *w = b->w + i * (size_t)b->width, *ref = NULL;
     size_t inner = jb->inner;
     int keep = -1;
@@ -204,7 +204,7 @@ static void apply_items(void *arg, size_t begin, size_t end)
     }
 }
 
-void ix__band_apply(ix_ctx *ctx, const ix_band *b, int n, size_t outer,
+void ix__rows_apply(ix_ctx *ctx, const ix_rows *b, int n, size_t outer,
                     size_t inner, const double *in, double *out)
 {
     job jb = {b, n, outer, inner, in, out};
