@@ -20,18 +20,18 @@ ix_status ix__mv_alloc_like(ix_ctx *ctx, const ix_mv *m, int dir,
     return ix__mv_alloc(ctx, m->ndirs, dirs, m->ncoords, m->rational, out);
 }
 
-ix__shape ix__mv_shape(const ix_mv *m, int dir)
+ix__mv_extent ix__mv_shape(const ix_mv *m, int dir)
 {
     size_t inner = ix__mv_stride(m, dir);
     size_t layer = inner * (size_t)m->dirs[dir].length;
 
-    return (ix__shape){m->npts / layer * (size_t)m->naxes, inner};
+    return (ix__mv_extent){m->npts / layer * (size_t)m->naxes, inner};
 }
 
 ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_rows *b,
                      const ix_dir *nd, ix_mv **out)
 {
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
 
     IX_TRY(ix__mv_alloc_like(ctx, m, dir, nd, out));
     ix__rows_apply(ctx, b, m->dirs[dir].length, s.outer, s.inner, m->pts,

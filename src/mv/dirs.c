@@ -84,7 +84,7 @@ static ix_status without(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)
 static ix_status fix(ix_ctx *ctx, const ix_mv *m, int dir, double t,
                      ix_mv **out)
 {
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
     ix_rows rows;
 
     IX_TRY(ix__mv_param(ctx, m, dir, &t));
@@ -104,7 +104,7 @@ ix_status ix_mv_fix(ix_ctx *ctx, const ix_mv *m, int dir, double t, ix_mv **out)
 
 ix_status ix_mv_layer(ix_ctx *ctx, const ix_mv *m, int dir, int i, ix_mv **out)
 {
-    ix__shape s;
+    ix__mv_extent s;
     size_t n;
 
     *out = NULL;

@@ -144,7 +144,7 @@ static void join_row(const joint *j, const double *a, const double *b,
 
 static ix_status join(ix_ctx *ctx, const joint *j, ix_mv **out)
 {
-    ix__shape s = ix__mv_shape(j->a, j->dir);
+    ix__mv_extent s = ix__mv_shape(j->a, j->dir);
     size_t na, nb, no;
     ix_dir nd;
 

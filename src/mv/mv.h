@@ -43,8 +43,8 @@ ix_status ix__mv_alloc_like(ix_ctx *ctx, const ix_mv *m, int dir,
  * double[outer][length][inner]. */
 typedef struct {
     size_t outer, inner;
-} ix__shape;
-ix__shape ix__mv_shape(const ix_mv *m, int dir);
+} ix__mv_extent;
+ix__mv_extent ix__mv_shape(const ix_mv *m, int dir);
 
 /* m with the knots of a B-spline direction replaced; no checks. */
 ix_status ix__mv_with_knots(ix_ctx *ctx, const ix_mv *m, int dir,

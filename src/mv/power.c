@@ -9,7 +9,7 @@
 typedef struct {
     double *c;
     int order;
-    ix__shape s;
+    ix__mv_extent s;
 } rows;
 
 static double *row(const rows *r, size_t o, int i)

@@ -19,7 +19,7 @@ static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
                                ix_mv **out)
 {
     const ix_dir *old = m->dirs + dir;
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
     size_t pieces, low, high;
     double *bern, *more;
     ix_spans sp;

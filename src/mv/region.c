@@ -38,7 +38,7 @@ static void keep_left(double *c, int order, size_t inner, double s)
 static ix_status clip_bezier(ix_ctx *ctx, const ix_mv *m, int dir,
                              const double t[2], ix_mv **out)
 {
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
     int order = m->dirs[dir].order;
     double a = t[0], b = t[1];
 
@@ -164,7 +164,7 @@ ix_status ix_mv_region(ix_ctx *ctx, const ix_mv *m, int dir, double t0,
 /* The common layer, computed from either side, becomes one. */
 static void same_joint(const ix_mv *a, ix_mv *b, int dir)
 {
-    ix__shape s = ix__mv_shape(a, dir);
+    ix__mv_extent s = ix__mv_shape(a, dir);
     size_t na = (size_t)a->dirs[dir].length, nb = (size_t)b->dirs[dir].length;
 
     for (size_t o = 0; o < s.outer; o++)

@@ -60,7 +60,7 @@ static void mirror_periodic(const ix_dir *dir, double *out)
 static ix_status reverse(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)
 {
     ix_dir nd = m->dirs[dir];
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
     size_t n = (size_t)nd.length, layer = s.inner * sizeof *m->pts;
     double *kv;
 

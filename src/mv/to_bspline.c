@@ -47,7 +47,7 @@ ix_status ix_mv_to_bspline(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 ix_status ix__mv_unwrap(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)
 {
     ix_dir nd = m->dirs[dir];
-    ix__shape s = ix__mv_shape(m, dir);
+    ix__mv_extent s = ix__mv_shape(m, dir);
     size_t n = (size_t)nd.length, to, layer = s.inner * sizeof *m->pts;
 
     nd.length = ix__dir_npoints(&nd);
