@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "bsp/basis.h"
-#include "geom/band.h"
+#include "bsp/band.h"
 #include "geom/gauss.h"
 #include "geom/quad.h"
 #include "iritx/geom.h"

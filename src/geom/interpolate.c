@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bsp/basis.h"
-#include "geom/band.h"
+#include "bsp/band.h"
 #include "geom/project.h"
 #include "iritx/geom.h"
 #include "mv/mv.h"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bsp/basis.h"
-#include "geom/band.h"
+#include "bsp/band.h"
 #include "iritx/geom.h"
 
 /* Largest amplification of data, in the maximum norm, up to which the first

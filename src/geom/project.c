@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bsp/basis.h"
-#include "geom/band.h"
+#include "bsp/band.h"
 #include "geom/gauss.h"
 
 typedef struct {

@@ -1,6 +1,6 @@
 /* Banded least squares against the definition: the residual is orthogonal to
  * every column, and planted solutions come back. */
-#include "geom/band.h"
+#include "bsp/band.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* band.c - banded least squares: each new row is rotated into the triangle
  * (Golub and Van Loan, Matrix Computations, 5.2; Lawson and Hanson 1974, 27).
  * A triangle row whose diagonal is zero is empty and takes what comes. */
-#include "geom/band.h"
+#include "bsp/band.h"
 
 #include <math.h>
 #include <string.h>

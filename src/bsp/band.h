@@ -5,8 +5,8 @@
  * rows in n unknowns cost O(m k^2). Periodic systems, whose rows run over
  * from the last unknown to the first, keep their last `border` unknowns
  * dense. As many rows as unknowns: plain solving. */
-#ifndef GEOM_BAND_H
-#define GEOM_BAND_H
+#ifndef BSP_BAND_H
+#define BSP_BAND_H
 
 #include "base/ctx.h"
 
