@@ -169,6 +169,9 @@ ix_status ix_srf_normal(ix_ctx *ctx, const ix_mv *srf, double u, double v,
  * coordinates (missing ones 0). Err IX_EDOMAIN outside or at a pole. */
 ix_status ix_srf_tangent(ix_ctx *ctx, const ix_mv *srf, int dir, double u,
                          double v, double t[3]) IX_MUST_CHECK;
+/* The same with length 1. Err IX_EDOMAIN also where it vanishes. */
+ix_status ix_srf_unit_tangent(ix_ctx *ctx, const ix_mv *srf, int dir, double u,
+                              double v, double t[3]) IX_MUST_CHECK;
 /* The field S_v x S_u, exact and not normalised: three coordinates, polynomial
  * of degrees 2d - 1, or for rational S = X/w the lowest common form
  * (w X_v x X_u - w_v X x X_u - w_u X_v x X) / w^3 of degrees 3d.

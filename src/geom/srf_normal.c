@@ -46,6 +46,16 @@ ix_status ix_srf_tangent(ix_ctx *ctx, const ix_mv *srf, int dir, double u,
     return partial3(ctx, srf, dir, (const double[2]){u, v}, t);
 }
 
+ix_status ix_srf_unit_tangent(ix_ctx *ctx, const ix_mv *srf, int dir, double u,
+                              double v, double t[3])
+{
+    IX_TRY(ix_srf_tangent(ctx, srf, dir, u, v, t));
+    if (!(ix__unit3(t, t) > 0))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "the derivative vanishes at (%g, %g): no tangent", u, v);
+    return IX_OK;
+}
+
 /* *found is false where S_v x S_u vanishes up to rounding: 1e-10 of the
  * product of the tangents' lengths leaves half of the digits. */
 static ix_status try_normal(ix_ctx *ctx, const ix_mv *s, const double t[2],

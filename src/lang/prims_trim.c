@@ -1,0 +1,210 @@
+/* prims_trim.c - trimmed surfaces from surfaces and closed curves, and back.
+ * A loop is one closed curve, or consecutive open ones that close together. */
+#include <math.h>
+#include <string.h>
+
+#include "iritx/sym.h"
+#include "lang/args_freeform.h"
+#include "lang/prims_surface.h"
+
+/* The reference snaps ends of trimming curves that are this near. */
+#define TRIM_EPS 1e-4
+
+/* --- loops
+ * -------------------------------------------------------------------------- */
+
+static ix_status ends(ix_ctx *ctx, const ix_mv *c, double p[2][2])
+{
+    double dom[2], q[IX_MAX_COORDS];
+
+    ix_mv_domain(c, 0, dom);
+    for (int e = 0; e < 2; e++) {
+        IX_TRY(ix_mv_point(ctx, c, &dom[e], q));
+        memcpy(p[e], q, sizeof p[e]);
+    }
+    return IX_OK;
+}
+
+static bool meet(const double p[2], const double q[2], const double size[2])
+{
+    return fabs(p[0] - q[0]) <= TRIM_EPS * size[0] &&
+           fabs(p[1] - q[1]) <= TRIM_EPS * size[1];
+}
+
+/* first[l] is the first curve of loop l, first[*nloops] = n. */
+static ix_status find_loops(ix_call *c, int n, const ix_mv *const *crv,
+                            const double size[2], int *nloops, int *first)
+{
+    double start[2] = {0}, p[2][2], last[2] = {0};
+    bool open = false;
+
+    *nloops = 0;
+    for (int i = 0; i < n; i++) {
+        IX_TRY(ends(c->ctx, crv[i], p));
+        if (!open) {
+            first[(*nloops)++] = i;
+            memcpy(start, p[0], sizeof start);
+        } else if (!meet(last, p[0], size)) {
+            return IX_ARG_FAIL(c, 1,
+                               "trimming curve %d begins at (%g, %g), the one "
+                               "before ends at (%g, %g) and its loop is open",
+                               i + 1, p[0][0], p[0][1], last[0], last[1]);
+        }
+        memcpy(last, p[1], sizeof last);
+        open = !meet(start, last, size);
+    }
+    if (open)
+        return IX_ARG_FAIL(c, 1,
+                           "the trimming curves do not close: (%g, %g) to "
+                           "(%g, %g)",
+                           start[0], start[1], last[0], last[1]);
+    first[*nloops] = n;
+    return IX_OK;
+}
+
+/* Side k of the parameter domain, counter-clockwise. */
+static ix_status domain_side(ix_ctx *ctx, const ix_mv *srf, int k, ix_mv **out)
+{
+    ix_dir dir = {.basis = IX_BEZIER, .order = 2, .length = 2};
+    double u[2], v[2], pts[4];
+
+    ix_mv_domain(srf, 0, u);
+    ix_mv_domain(srf, 1, v);
+    for (int e = 0; e < 2; e++) {
+        int corner = (k + e) % 4;
+
+        pts[e] = u[corner == 1 || corner == 2];
+        pts[2 + e] = v[corner >= 2];
+    }
+    return ix_mv_new(ctx, 1, &dir, 2, false, pts, out);
+}
+
+static ix_status outer_loop(ix_ctx *ctx, ix_trimsrf *t)
+{
+    IX_TRY(ix__trimloop_segs(ctx, &t->loop[0], 4));
+    for (int k = 0; k < 4; k++) {
+        ix_mv *side = NULL;
+
+        IX_TRY(domain_side(ctx, t->srf, k, &side));
+        t->loop[0].seg[k].uv = side;
+    }
+    return IX_OK;
+}
+
+static ix_status fill_loops(ix_ctx *ctx, ix_trimsrf *t, int skip, int nloops,
+                            const int *first, const ix_mv *const *crv)
+{
+    for (int l = 0; l < nloops; l++) {
+        ix_trimloop *loop = &t->loop[skip + l];
+
+        IX_TRY(ix__trimloop_segs(ctx, loop, first[l + 1] - first[l]));
+        for (int k = 0; k < loop->n; k++) {
+            const ix_mv *src = crv[first[l] + k];
+            ix_mv *uv = NULL;
+
+            IX_TRY(ix_mv_coerce(ctx, src, 2, src->rational, &uv));
+            loop->seg[k].uv = uv;
+        }
+    }
+    return IX_OK;
+}
+
+/* --- primitives
+ * -------------------------------------------------------------------- */
+
+/* The curves of argument 1, checked to be planar. */
+static ix_status trim_curves(ix_call *c, int *n, const ix_mv ***crv)
+{
+    const ix_mvs *one;
+
+    if (c->argv[1]->type == IX_OBJ_LIST) {
+        IX_TRY(ix__arg_mvs(c, 1, IX_OBJ_CURVE, n, crv));
+    } else {
+        one = c->argv[1]->u.mvs;
+        *n = one->n;
+        IX_SCRATCH(c->ctx, *crv, one->n);
+        for (int i = 0; i < one->n; i++)
+            (*crv)[i] = one->mv[i];
+    }
+    for (int i = 0; i < *n; i++)
+        if ((*crv)[i]->ncoords < 2)
+            return IX_ARG_FAIL(c, 1,
+                               "trimming curve %d has one coordinate, "
+                               "u and v are needed",
+                               i + 1);
+    return IX_OK;
+}
+
+ix_status ix__prim_trimsrf(ix_call *c)
+{
+    const ix_mv *srf = ix__arg_mv(c, 0), **crv;
+    int n, nloops, *first, outer = !ix__arg_bool(c, 2);
+    double dom[2][2];
+    ix_trimsrf *t;
+    ix_status st = IX_OK;
+
+    IX_TRY(trim_curves(c, &n, &crv));
+    IX_SCRATCH(c->ctx, first, n + 1);
+    for (int d = 0; d < 2; d++)
+        ix_mv_domain(srf, d, dom[d]);
+    IX_TRY(find_loops(
+        c, n, crv,
+        (const double[2]){dom[0][1] - dom[0][0], dom[1][1] - dom[1][0]},
+        &nloops, first));
+    t = ix__trimsrf_new(c->ctx, srf, nloops + outer);
+    if (!t)
+        return IX_ENOMEM;
+    if (outer)
+        st = outer_loop(c->ctx, t);
+    if (st == IX_OK)
+        st = fill_loops(c->ctx, t, outer, nloops, first, crv);
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_trimsrf(c->ctx, t));
+    ix__trimsrf_unref(c->ctx, t);
+    return st;
+}
+
+ix_status ix__prim_strimsrf(ix_call *c)
+{
+    return ix__ret(c, ix__obj_mv(c->ctx, IX_OBJ_SURFACE,
+                                 ix_mv_ref(c->argv[0]->u.trim.item[0]->srf)));
+}
+
+ix_status ix__prim_ctrimsrf(ix_call *c)
+{
+    return ix__ret_trim_curves(c, c->argv[0]->u.trim.item[0],
+                               ix__arg_bool(c, 1));
+}
+
+static ix_status map_loop(ix_ctx *ctx, const ix_trimloop *from,
+                          const double mat[16], ix_trimloop *to)
+{
+    IX_TRY(ix__trimloop_segs(ctx, to, from->n));
+    for (int k = 0; k < from->n; k++) {
+        ix_mv *uv = NULL;
+
+        IX_TRY(ix_mv_transform(ctx, from->seg[k].uv, mat, &uv));
+        to->seg[k].uv = uv;
+        if (from->seg[k].euclid)
+            to->seg[k].euclid = ix_mv_ref(from->seg[k].euclid);
+    }
+    return IX_OK;
+}
+
+ix_status ix__trim_mapped(ix_ctx *ctx, const ix_trimsrf *t, const ix_mv *srf,
+                          const double mat[16], ix_trimsrf **out)
+{
+    *out = ix__trimsrf_new(ctx, srf, t->nloops);
+    if (!*out)
+        return IX_ENOMEM;
+    for (int l = 0; l < t->nloops; l++) {
+        ix_status st = map_loop(ctx, &t->loop[l], mat, &(*out)->loop[l]);
+
+        if (st != IX_OK) {
+            ix__trimsrf_unref(ctx, *out);
+            *out = NULL;
+            return st;
+        }
+    }
+    return IX_OK;
+}
