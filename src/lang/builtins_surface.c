@@ -370,15 +370,16 @@ static ix_status hermite(ix_call *c)
 /* One curve, or the curves of a list, in scratch. */
 static ix_status sections(ix_call *c, ix_sweep *s)
 {
-    const ix_mv **one;
+    const ix_mv **crvs;
 
-    if (c->argv[0]->type == IX_OBJ_LIST)
-        return ix__arg_mvs(c, 0, IX_OBJ_CURVE, &s->nsections,
-                           (const ix_mv ***)&s->sections);
-    IX_SCRATCH(c->ctx, one, 1);
-    one[0] = ix__arg_mv(c, 0);
     s->nsections = 1;
-    s->sections = one;
+    if (c->argv[0]->type == IX_OBJ_LIST) {
+        IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &s->nsections, &crvs));
+    } else {
+        IX_SCRATCH(c->ctx, crvs, 1);
+        crvs[0] = ix__arg_mv(c, 0);
+    }
+    s->sections = crvs;
     return IX_OK;
 }
 
