@@ -187,23 +187,10 @@ static ix_status read_one(ix__lex *l, const entity *e, const void **out)
 
 static void drop_one(ix_ctx *ctx, ix_obj_type type, const void *p)
 {
-    switch (type) {
-    case IX_OBJ_POLY:
+    if (type == IX_OBJ_POLY)
         ix__poly_unref(ctx, p);
-        break;
-    case IX_OBJ_TRIMSRF:
-        ix__trimsrf_unref(ctx, p);
-        break;
-    case IX_OBJ_TRISRF:
-        ix__trisrf_unref(ctx, p);
-        break;
-    case IX_OBJ_MODEL:
-        ix__model_unref(ctx, p);
-        break;
-    default:
-        ix_mv_unref(ctx, p);
-        break;
-    }
+    else
+        ix__seq_unref(ctx, type, p);
 }
 
 /* Entities of one type, the first behind its keyword, up to a closing bracket
@@ -243,24 +230,6 @@ static ix_obj *join_polys(ix_ctx *ctx, const refs *r)
     return ix__obj_poly(ctx, p);
 }
 
-static ix_obj *join(ix_ctx *ctx, ix_obj_type type, const refs *r)
-{
-    void *items = r->item;
-
-    switch (type) {
-    case IX_OBJ_POLY:
-        return join_polys(ctx, r);
-    case IX_OBJ_TRIMSRF:
-        return ix__obj_trimsrfs(ctx, r->n, items);
-    case IX_OBJ_TRISRF:
-        return ix__obj_trisrfs(ctx, r->n, items);
-    case IX_OBJ_MODEL:
-        return ix__obj_models(ctx, r->n, items);
-    default:
-        return ix__obj_mvs(ctx, type, ix__mvs_new(ctx, r->n, items));
-    }
-}
-
 static bool is_single(ix_obj_type t)
 {
     return t == IX_OBJ_NUMBER || t == IX_OBJ_POINT || t == IX_OBJ_VECTOR ||
@@ -280,7 +249,10 @@ static ix_status read_geometry(ix__lex *l, ix_obj **out)
         return read_single(l, e, out);
     st = read_sequence(l, e, &r);
     if (st == IX_OK)
-        st = made(join(l->ctx, e->type, &r), out);
+        st = made(e->type == IX_OBJ_POLY
+                      ? join_polys(l->ctx, &r)
+                      : ix__seq_new(l->ctx, e->type, r.n, r.item),
+                  out);
     for (int i = 0; i < r.n; i++)
         drop_one(l->ctx, e->type, r.item[i]);
     return st;

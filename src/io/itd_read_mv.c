@@ -253,7 +253,7 @@ static ix_status read_header(ix__lex *l, ix_obj_type type, header *h)
  * at infinity. Power bases have coefficients, which may vanish. */
 static ix_status check_weights(ix__lex *l, const header *h, const double *pts)
 {
-    double lo = INFINITY, hi = -INFINITY;
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
 
     for (size_t i = 0; i < h->npts; i++) {
         int a = 0;

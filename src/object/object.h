@@ -193,6 +193,15 @@ ix_status ix__model_loop_segs(ix_ctx *ctx, ix_model_srf *s, int loop,
                               int n) IX_MUST_CHECK;
 void ix__model_unref(ix_ctx *ctx, const ix_model *m);
 
+/* Linked sequences whatever their type: the geometries that a freeform,
+ * trimmed surface, triangular surface or model object holds (ix_mv, ix_trimsrf,
+ * ...). Other types have none. */
+int ix__seq_count(const ix_obj *o);
+const void *ix__seq_item(const ix_obj *o, int i); /* borrowed */
+/* items: n >= 1 pointers of the type's geometry; keeps references. */
+ix_obj *ix__seq_new(ix_ctx *ctx, ix_obj_type type, int n, void *items);
+void ix__seq_unref(ix_ctx *ctx, ix_obj_type type, const void *item);
+
 /* x' = x M applied to any object, recursively for lists; a new box with o's
  * name and attributes. Curves and surfaces with fewer than 3 coordinates gain
  * them (spec/language 5.3); numbers and strings: IX_EARG. */

@@ -1,8 +1,10 @@
-/* walk.c - looking through an object's lists and object attributes.
- *
- * Lists may share elements, so that n boxes can stand for 2^n paths; every
- * walk here marks the boxes that it has met and clears the marks at its end. */
+/* walk.c - walks over lists and object attributes; what an object contains,
+ * and how large it is when written out. */
+#include "object/walk.h"
+
 #include "object/release_impl.h"
+
+/* --- breadth first, without memory ------------------------------------ */
 
 /* A queue of marked boxes: each mark points to the next, the last to itself. */
 typedef struct {
@@ -21,12 +23,17 @@ static void queue_add(queue *q, ix_obj *o)
     o->mark = o;
 }
 
+static ix_obj *queue_next(const ix_obj *o)
+{
+    return o->mark == o ? NULL : o->mark;
+}
+
 static void queue_clear(queue *q)
 {
     ix_obj *o = q->first;
 
     while (o) {
-        ix_obj *next = o->mark == o ? NULL : o->mark;
+        ix_obj *next = queue_next(o);
 
         o->mark = NULL;
         o = next;
@@ -42,7 +49,7 @@ static bool holds_boxes(const ix_obj *o)
 static bool add_children(queue *q, const ix_obj *o, const ix_obj *x)
 {
     for (const ix_attr *a = o->attrs; a; a = a->next) {
-        if (a->obj == x)
+        if (a->obj && a->obj == x)
             return true;
         if (a->obj && holds_boxes(a->obj))
             queue_add(q, a->obj);
@@ -63,7 +70,6 @@ static bool add_children(queue *q, const ix_obj *o, const ix_obj *x)
 bool ix__obj_contains(const ix_obj *o, const ix_obj *x)
 {
     queue q = {NULL, NULL};
-    ix_obj *at;
     bool found = false;
 
     if (o == x)
@@ -71,37 +77,119 @@ bool ix__obj_contains(const ix_obj *o, const ix_obj *x)
     if (!holds_boxes(o))
         return false;
     queue_add(&q, IX_MUTABLE(ix_obj, o));
-    for (at = q.first; !found; at = at->mark) {
+    for (ix_obj *at = q.first; at && !found; at = queue_next(at))
         found = add_children(&q, at, x);
-        if (at->mark == at)
-            break;
-    }
     queue_clear(&q);
     return found;
 }
 
-/* --- how large an object is when written out -------------------------- */
+static ix_status visit_items(queue *q, const ix_list *l, ix__leaf_fn fn,
+                             void *arg)
+{
+    for (int i = 0; i < l->n; i++) {
+        if (l->item[i]->type == IX_OBJ_LIST)
+            queue_add(q, l->item[i]);
+        else
+            IX_TRY(fn(arg, l->item[i]));
+    }
+    return IX_OK;
+}
 
-/* A box on the way: its children are looked at once, its totals added for
- * each reference to it. */
-typedef struct node node;
-struct node {
-    ix_obj *box;
-    node *up;  /* the box whose children led here */
-    node *all; /* the node made before */
-    const ix_attr *attr;
-    int item;
-    bool done;
-    int depth;    /* of what is below */
-    double bytes; /* lower estimate of the text */
-};
+ix_status ix__walk_leaves(const ix_obj *o, ix__leaf_fn fn, void *arg)
+{
+    queue q = {NULL, NULL};
+    ix_status st = IX_OK;
 
-typedef struct {
-    ix_ctx *ctx;
-    node *top, *all;
-    int max_depth;
-    int at_depth;
-} sizing;
+    if (o->type != IX_OBJ_LIST)
+        return fn(arg, o);
+    queue_add(&q, IX_MUTABLE(ix_obj, o));
+    for (ix_obj *at = q.first; at && st == IX_OK; at = queue_next(at))
+        st = visit_items(&q, &at->u.list, fn, arg);
+    queue_clear(&q);
+    return st;
+}
+
+/* --- depth first, with a node for each box ---------------------------- */
+
+bool ix__walk_inner(const ix__walk *w, const ix_obj *o)
+{
+    return o->type == IX_OBJ_LIST || (w->attrs && o->attrs);
+}
+
+static ix_status push(ix__walk *w, ix_obj *o)
+{
+    ix__node *n;
+
+    if (w->max_depth > 0 && w->depth == w->max_depth)
+        return IX_FAIL(w->ctx, IX_EUNABLE, "lists are nested deeper than %d",
+                       w->max_depth);
+    IX_TRY(ix__poll(w->ctx));
+    IX_SCRATCH_ZERO(w->ctx, n, 1);
+    n->box = o;
+    n->attr = w->attrs ? o->attrs : NULL;
+    n->up = w->top;
+    n->all = w->all;
+    w->all = w->top = n;
+    w->depth++;
+    o->mark = n;
+    return w->ops->enter(w);
+}
+
+static ix_status child(ix__walk *w, ix_obj *o)
+{
+    ix__node *n = o->mark;
+
+    if (!ix__walk_inner(w, o))
+        return w->ops->leaf(w, o);
+    if (!n)
+        return push(w, o);
+    if (!n->done)
+        return IX_FAIL(w->ctx, IX_EUNABLE, "a list contains itself");
+    return w->ops->join(w, n);
+}
+
+static ix_status pop(ix__walk *w)
+{
+    ix__node *n = w->top;
+
+    n->done = true;
+    w->top = n->up;
+    w->depth--;
+    return w->top ? w->ops->join(w, n) : IX_OK;
+}
+
+static ix_status step(ix__walk *w)
+{
+    ix__node *n = w->top;
+    const ix_obj *o = n->box;
+
+    if (n->attr) {
+        ix_obj *value = n->attr->obj;
+
+        n->attr = n->attr->next;
+        return value ? child(w, value) : IX_OK;
+    }
+    if (o->type == IX_OBJ_LIST && n->item < o->u.list.n)
+        return child(w, o->u.list.item[n->item++]);
+    return pop(w);
+}
+
+ix_status ix__walk_run(ix__walk *w, const ix_obj *root, ix__node **node)
+{
+    IX_TRY(push(w, IX_MUTABLE(ix_obj, root)));
+    *node = w->top;
+    while (w->top)
+        IX_TRY(step(w));
+    return IX_OK;
+}
+
+void ix__walk_end(ix__walk *w)
+{
+    for (ix__node *n = w->all; n; n = n->all)
+        n->box->mark = NULL;
+}
+
+/* --- the size of an object in a file ---------------------------------- */
 
 static double mvs_values(const ix_mvs *m)
 {
@@ -122,125 +210,86 @@ static double poly_values(const ix_poly *p)
 }
 
 /* At least this many characters: a header, two for each number. */
-static double leaf_bytes(const ix_obj *o)
+static double own_bytes(const ix_obj *o)
 {
-    const double header = 20;
+    const double head = 20;
 
     switch (o->type) {
     case IX_OBJ_STRING:
-        return header + (double)o->u.str.len;
+        return head + (double)o->u.str.len;
     case IX_OBJ_POLY:
-        return header + 2 * poly_values(o->u.poly);
+        return head + 2 * poly_values(o->u.poly);
     case IX_OBJ_CURVE:
     case IX_OBJ_SURFACE:
     case IX_OBJ_TRIVAR:
     case IX_OBJ_MULTIVAR:
-        return header + 2 * mvs_values(o->u.mvs);
+        return head + 2 * mvs_values(o->u.mvs);
     case IX_OBJ_TRIMSRF:
-        return header + 2 * (double)ix_mv_npts(o->u.trim.item[0]->srf);
+        return head + 2 * (double)ix_mv_npts(o->u.trim.item[0]->srf);
     case IX_OBJ_TRISRF:
-        return header + 2.0 * o->u.tri.item[0]->npts;
+        return head + 2.0 * o->u.tri.item[0]->npts;
     default:
-        return header;
+        return head;
     }
 }
 
-static void add_total(node *to, double bytes, int depth)
+static void add_child(ix__node *to, double bytes, int depth)
 {
     to->bytes += bytes;
-    if (to->depth < depth)
-        to->depth = depth;
+    if (to->depth < depth + 1)
+        to->depth = depth + 1;
 }
 
-/* Counts o for the box on top, or puts it on top to be counted first. */
-static ix_status enter(sizing *z, ix_obj *o)
+static ix_status size_enter(ix__walk *w)
 {
-    node *n = o->mark;
-
-    if (!holds_boxes(o)) {
-        add_total(z->top, leaf_bytes(o), 1);
-        return IX_OK;
-    }
-    if (n && !n->done)
-        return IX_FAIL(z->ctx, IX_EUNABLE, "a list contains itself");
-    if (n) {
-        add_total(z->top, n->bytes, n->depth);
-        return IX_OK;
-    }
-    if (z->at_depth == z->max_depth)
-        return IX_FAIL(z->ctx, IX_EUNABLE, "lists are nested deeper than %d",
-                       z->max_depth);
-    IX_SCRATCH_ZERO(z->ctx, n, 1);
-    n->box = o;
-    n->attr = o->attrs;
-    n->bytes = leaf_bytes(o);
-    n->up = z->top;
-    n->all = z->all;
-    z->all = z->top = n;
-    z->at_depth++;
-    o->mark = n;
-    return ix__poll(z->ctx);
-}
-
-static void leave(sizing *z)
-{
-    node *n = z->top;
-
-    n->done = true;
-    n->depth++;
-    z->top = n->up;
-    z->at_depth--;
-    if (z->top)
-        add_total(z->top, n->bytes, n->depth);
-}
-
-static ix_status sizing_step(sizing *z)
-{
-    node *n = z->top;
-
-    if (n->attr) {
-        ix_obj *o = n->attr->obj;
-
-        n->attr = n->attr->next;
-        return o ? enter(z, o) : IX_OK;
-    }
-    if (n->box->type == IX_OBJ_LIST && n->item < n->box->u.list.n)
-        return enter(z, n->box->u.list.item[n->item++]);
-    leave(z);
+    w->top->bytes = own_bytes(w->top->box);
+    w->top->depth = 1;
     return IX_OK;
 }
 
-static ix_status measure(sizing *z, const ix_obj *o, node *total)
+static ix_status size_leaf(ix__walk *w, const ix_obj *o)
 {
-    IX_TRY(enter(z, IX_MUTABLE(ix_obj, o)));
-    while (z->top)
-        IX_TRY(sizing_step(z));
-    *total = *(const node *)o->mark;
+    add_child(w->top, own_bytes(o), 1);
+    return IX_OK;
+}
+
+static ix_status size_join(ix__walk *w, const ix__node *n)
+{
+    add_child(w->top, n->bytes, n->depth);
+    return IX_OK;
+}
+
+static ix_status check_total(ix_ctx *ctx, const ix__node *n, int max_depth,
+                             size_t max_bytes)
+{
+    if (n->depth > max_depth)
+        return IX_FAIL(ctx, IX_EUNABLE, "lists are nested deeper than %d",
+                       max_depth);
+    if (!(n->bytes <= (double)max_bytes))
+        return IX_FAIL(ctx, IX_EUNABLE,
+                       "written out, shared lists would take %.3g bytes or "
+                       "more; the limit is %zu",
+                       n->bytes, max_bytes);
     return IX_OK;
 }
 
 ix_status ix__obj_check_size(ix_ctx *ctx, const ix_obj *o, int max_depth,
                              size_t max_bytes)
 {
-    sizing z = {.ctx = ctx, .max_depth = max_depth};
-    node total = {0};
+    static const ix__walk_ops ops = {size_enter, size_leaf, size_join};
+    ix__walk w = {
+        .ctx = ctx, .ops = &ops, .attrs = true, .max_depth = max_depth};
+    ix__node *root;
     ix_mark mk;
     ix_status st;
 
-    if (!holds_boxes(o))
+    if (!ix__walk_inner(&w, o))
         return IX_OK;
     mk = ix__scratch_mark(ctx);
-    st = measure(&z, o, &total);
-    for (node *n = z.all; n; n = n->all)
-        n->box->mark = NULL;
+    st = ix__walk_run(&w, o, &root);
+    if (st == IX_OK)
+        st = check_total(ctx, root, max_depth, max_bytes);
+    ix__walk_end(&w);
     ix__scratch_release(ctx, mk);
-    if (st == IX_OK && total.depth > max_depth)
-        return IX_FAIL(ctx, IX_EUNABLE, "lists are nested deeper than %d",
-                       max_depth);
-    if (st == IX_OK && !(total.bytes <= (double)max_bytes))
-        return IX_FAIL(ctx, IX_EUNABLE,
-                       "written out, shared lists would take %.3g bytes or "
-                       "more; the limit is %zu",
-                       total.bytes, max_bytes);
     return st;
 }

@@ -1,0 +1,178 @@
+/* load.c - loading and saving objects: the suffix of the name chooses the
+ * format (spec/itd-format 12), ".gz" and ".Z" behind it are looked through. */
+#define _POSIX_C_SOURCE 200809L
+#include <string.h>
+#include <sys/stat.h>
+
+#include "io/io.h"
+
+typedef ix_status (*read_fn)(ix_ctx *ctx, const char *fname, const char *text,
+                             size_t n, ix_obj **out);
+typedef ix_status (*write_fn)(ix_buf *b, const ix_obj *o,
+                              const ix_write_opts *w);
+
+static ix_status write_itd(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
+{
+    ix_write_opts file = w ? *w : (ix_write_opts){0};
+
+    file.file = true;
+    return ix__itd_write(b, o, &file, 0);
+}
+
+/* Suffixes that mean something; without functions: known, not supported. */
+static const struct format {
+    const char *suffix;
+    read_fn read;
+    write_fn write;
+} formats[] = {
+    {"itd", ix__itd_read, write_itd},
+    {"imd", ix__itd_read, write_itd},
+    {"ibd", NULL, NULL},
+    {"icd", NULL, NULL},
+    {"igs", NULL, NULL},
+    {"iges", NULL, NULL},
+    {"stl", NULL, NULL},
+    {"bstl", NULL, NULL},
+    {"obj", NULL, NULL},
+    {"wrl", NULL, NULL},
+    {"vrl", NULL, NULL},
+    {"nc", NULL, NULL},
+    {"cnc", NULL, NULL},
+    {"gcode", NULL, NULL},
+};
+
+static bool is_suffix(const char *s, size_t n, const char *suffix)
+{
+    char text[8];
+
+    if (n != strlen(suffix) || n >= sizeof text)
+        return false;
+    memcpy(text, s, n);
+    text[n] = '\0';
+    return ix__name_cmp(text, suffix) == 0;
+}
+
+/* The suffix of s[0 .. n): the length behind the last point of the name. */
+static size_t suffix_length(const char *s, size_t n)
+{
+    for (size_t k = 0; k < n && s[n - 1 - k] != '/'; k++)
+        if (s[n - 1 - k] == '.')
+            return k;
+    return 0;
+}
+
+static const struct format *find_format(const char *name)
+{
+    size_t n = strlen(name), k = suffix_length(name, n);
+
+    if (is_suffix(name + n - k, k, "gz") || is_suffix(name + n - k, k, "Z")) {
+        n -= k + 1;
+        k = suffix_length(name, n);
+    }
+    for (size_t i = 0; k > 0 && i < sizeof formats / sizeof *formats; i++)
+        if (is_suffix(name + n - k, k, formats[i].suffix))
+            return &formats[i];
+    return NULL;
+}
+
+static ix_status unsupported(ix_ctx *ctx, const char *name, const char *suffix)
+{
+    return IX_FAIL(ctx, IX_EARG,
+                   "%.200s: files of type \"%s\" are not supported; \"itd\" "
+                   "is",
+                   name, suffix);
+}
+
+static void with_itd(ix_buf *b, const char *name)
+{
+    ix__buf_clear(b);
+    ix__buf_puts(b, name);
+    ix__buf_puts(b, ".itd");
+}
+
+/* The name that exists: as given, else with the suffix; else as given. */
+static ix_status resolve(const char *name, ix_buf *b)
+{
+    struct stat sb;
+
+    with_itd(b, name);
+    IX_TRY(ix__buf_check(b));
+    if (stat(name, &sb) == 0 || stat(b->data, &sb) != 0) {
+        ix__buf_clear(b);
+        ix__buf_puts(b, name);
+    }
+    return ix__buf_check(b);
+}
+
+static ix_status load_file(ix_ctx *ctx, const char *name, ix_obj **out)
+{
+    const struct format *f = find_format(name);
+    read_fn reader = f ? f->read : ix__itd_read;
+    ix_buf text;
+    ix_status st;
+
+    if (!reader)
+        return unsupported(ctx, name, f->suffix);
+    IX_TRY(ix__file_read(ctx, name, &text));
+    st = reader(ctx, name, text.data, text.len, out);
+    ix__buf_free(&text);
+    return st;
+}
+
+ix_status ix__load(ix_ctx *ctx, const char *name, ix_buf *resolved,
+                   ix_obj **out)
+{
+    ix_buf found;
+    ix_status st;
+
+    *out = NULL;
+    ix__buf_init(&found, ctx);
+    st = resolve(name, &found);
+    if (st == IX_OK)
+        st = load_file(ctx, found.data, out);
+    if (st == IX_OK && resolved) {
+        ix__buf_clear(resolved);
+        ix__buf_puts(resolved, found.data);
+        st = ix__buf_check(resolved);
+    }
+    ix__buf_free(&found);
+    if (st != IX_OK) {
+        ix__obj_unref(ctx, *out);
+        *out = NULL;
+    }
+    return st;
+}
+
+static ix_status save_as(ix_ctx *ctx, const char *name, write_fn writer,
+                         const ix_obj *o, const ix_write_opts *w)
+{
+    ix_buf text;
+    ix_status st;
+
+    ix__buf_init(&text, ctx);
+    st = writer(&text, o, w);
+    if (st == IX_OK)
+        st = ix__file_write(ctx, name, text.data, text.len);
+    ix__buf_free(&text);
+    return st;
+}
+
+ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
+                   const ix_write_opts *w)
+{
+    const struct format *f = find_format(name);
+    ix_buf full;
+    ix_status st;
+
+    if (f && !f->write)
+        return unsupported(ctx, name, f->suffix);
+    if (f)
+        return save_as(ctx, name, f->write, o, w);
+    ix__buf_init(&full, ctx);
+    with_itd(&full, name);
+    st = ix__buf_check(&full);
+    if (st == IX_OK)
+        st = save_as(ctx, full.data, write_itd, o, w);
+    ix__buf_free(&full);
+    return st;
+}
