@@ -8,10 +8,13 @@
 #define ALIGN 64u
 
 #ifdef IX_HARDTEST
-#define CHUNK ALIGN /* a fresh block for every request: overruns meet ASan */
+#define CHUNK  ALIGN /* a fresh block for every request: overruns meet ASan */
+#define GROWTH 0u
 #else
-#define CHUNK 65536u
+#define CHUNK  65536u
+#define GROWTH 2u
 #endif
+#define MOST ((size_t)1 << 26)
 
 struct ix__chunk {
     ix__chunk *prev;
@@ -51,11 +54,29 @@ void ix__scratch_release(ix_ctx *ctx, ix_mark mk)
         ctx->scratch->used = mk.used;
 }
 
+/* Chunks double in size: then large work takes few of them, and the system's
+ * allocator keeps the memory from one operation to the next (it gives back
+ * what exceeds twice its largest block). */
+static size_t chunk_size(const ix_ctx *ctx, size_t need)
+{
+    size_t size = ctx->scratch && GROWTH ? GROWTH * ctx->scratch->size : CHUNK;
+
+    if (size < CHUNK)
+        size = CHUNK;
+    if (size > MOST)
+        size = MOST;
+    return need > size ? need : size;
+}
+
 static ix__chunk *push_chunk(ix_ctx *ctx, size_t need)
 {
-    size_t size = need > CHUNK ? need : CHUNK;
+    size_t size = chunk_size(ctx, need);
     ix__chunk *c = ix__alloc(ctx, chunk_bytes(size));
 
+    if (!c && size > need && size > CHUNK) { /* a limit may be near */
+        size = need > CHUNK ? need : CHUNK;
+        c = ix__alloc(ctx, chunk_bytes(size));
+    }
     if (!c)
         return NULL;
     *c = (ix__chunk){.prev = ctx->scratch, .size = size};
