@@ -70,11 +70,20 @@ IX__INLINE void conv_one(int p, const double *a, int q, const double *b,
     double acc[16];
     int n = p + q + 1, k = 0;
 
-    for (; k + 8 < n; k += 16) {
-        dense16(k > q ? k - q : 0, min_int(p, k + 15) + 1, a, b + k, acc);
-        put(min_int(16, n - k), acc, into, out + k);
+    for (; k + 16 <= n; k += 16) {
+        int lo = k > q ? k - q : 0, hi = min_int(p, k + 15) + 1;
+
+        if (into == IX__SET) {
+            dense16(lo, hi, a, b + k, out + k);
+        } else {
+            dense16(lo, hi, a, b + k, acc);
+            put(16, acc, into, out + k);
+        }
     }
-    if (k < n) {
+    if (k + 8 < n) {
+        dense16(k > q ? k - q : 0, min_int(p, k + 15) + 1, a, b + k, acc);
+        put(n - k, acc, into, out + k);
+    } else if (k < n) {
         dense8(k > q ? k - q : 0, min_int(p, k + 7) + 1, a, b + k, acc);
         put(n - k, acc, into, out + k);
     }
@@ -85,8 +94,7 @@ IX__CLONES static void conv_spans(size_t n, int p, const double *a, int q,
                                   double *out)
 {
     for (size_t s = 0; s < n; s++) {
-        for (int j = 0; j <= q; j++)
-            mid[j] = b[j];
+        memcpy(mid, b, ((size_t)q + 1) * sizeof *mid);
         conv_one(p, a, q, mid, into, out);
         a += p + 1;
         b += q + 1;

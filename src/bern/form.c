@@ -1,13 +1,25 @@
 /* form.c - scaling, elevation, partials and restriction of blocks of
  * homogeneous forms. Each kernel walks the rows of one block, inner numbers
  * at a time, so that tensors of any shape share the loops. */
-#include "bern/bern.h"
-
 #include <math.h>
 #include <string.h>
 
-void ix__bern_scale(size_t count, int d, size_t inner, const double *row,
-                    const double *in, double *out)
+#include "bern/bern.h"
+#include "bern/clones.h"
+
+/* Four products or quotients at a time. */
+#define BY_FOUR(n, op_four, op_one)      \
+    do {                                 \
+        size_t i = 0;                    \
+                                         \
+        for (; i + 4 <= (n); i += 4)     \
+            *ix__vec(out + i) = op_four; \
+        for (; i < (n); i++)             \
+            out[i] = op_one;             \
+    } while (0)
+
+IX__CLONES void ix__bern_scale(size_t count, int d, size_t inner,
+                               const double *row, const double *in, double *out)
 {
     size_t n = (size_t)d + 1;
 
@@ -16,14 +28,16 @@ void ix__bern_scale(size_t count, int d, size_t inner, const double *row,
             memcpy(out, in, count * n * inner * sizeof *out);
         return;
     }
-    for (size_t b = 0; b < count; b++)
+    for (size_t b = 0; b < count && inner == 1; b++, in += n, out += n)
+        BY_FOUR(n, *ix__cvec(row + i) * *ix__cvec(in + i), row[i] * in[i]);
+    for (size_t b = 0; b < count && inner > 1; b++)
         for (size_t k = 0; k < n; k++, in += inner, out += inner)
-            for (size_t i = 0; i < inner; i++)
-                out[i] = row[k] * in[i];
+            BY_FOUR(inner, row[k] * *ix__cvec(in + i), row[k] * in[i]);
 }
 
-void ix__bern_unscale(size_t count, int d, size_t inner, const double *row,
-                      const double *in, double *out)
+IX__CLONES void ix__bern_unscale(size_t count, int d, size_t inner,
+                                 const double *row, const double *in,
+                                 double *out)
 {
     size_t n = (size_t)d + 1;
 
@@ -32,10 +46,11 @@ void ix__bern_unscale(size_t count, int d, size_t inner, const double *row,
             memcpy(out, in, count * n * inner * sizeof *out);
         return;
     }
-    for (size_t b = 0; b < count; b++)
+    for (size_t b = 0; b < count && inner == 1; b++, in += n, out += n)
+        BY_FOUR(n, *ix__cvec(in + i) / *ix__cvec(row + i), in[i] / row[i]);
+    for (size_t b = 0; b < count && inner > 1; b++)
         for (size_t k = 0; k < n; k++, in += inner, out += inner)
-            for (size_t i = 0; i < inner; i++)
-                out[i] = in[i] / row[k];
+            BY_FOUR(inner, *ix__cvec(in + i) / row[k], in[i] / row[k]);
 }
 
 void ix__bern_elevate(int d, int e, const double *row, size_t inner,

@@ -11,30 +11,35 @@
 
 /* --- making --------------------------------------------------------------- */
 
-ix_status ix__form_alloc(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
-                         int nrows, ix_form *out)
+ix_status ix__form_adopt(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
+                         int nrows, double *c, ix_form *out)
 {
     ix_spans *own;
     size_t n = 1, total;
-    double *c;
 
     for (int i = 0; i < ndirs; i++) {
-        size_t w = (size_t)dirs[i].nspans * ((size_t)dirs[i].degree + 1);
-
         if (dirs[i].degree >= IX_MAX_ORDER)
             return IX_FAIL(ctx, IX_EUNABLE,
                            "order %d in direction %d of a result, at most %d",
                            dirs[i].degree + 1, i, IX_MAX_ORDER);
-        if (__builtin_mul_overflow(n, w, &n))
+        if (__builtin_mul_overflow(n, ix__spans_size(&dirs[i]), &n))
             return IX_FAIL(ctx, IX_ENOMEM, "a form of too many coefficients");
     }
     if (__builtin_mul_overflow(n, (size_t)nrows, &total))
         return IX_FAIL(ctx, IX_ENOMEM, "a form of too many coefficients");
     IX_SCRATCH(ctx, own, ndirs);
-    IX_SCRATCH(ctx, c, total);
-    memcpy(own, dirs, (size_t)ndirs * sizeof *own);
+    if (!c)
+        IX_SCRATCH(ctx, c, total);
+    for (int i = 0; i < ndirs; i++)
+        own[i] = dirs[i];
     *out = (ix_form){ndirs, nrows, 0, 0, own, n, c};
     return IX_OK;
+}
+
+ix_status ix__form_alloc(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
+                         int nrows, ix_form *out)
+{
+    return ix__form_adopt(ctx, ndirs, dirs, nrows, NULL, out);
 }
 
 ix_status ix__form_constant(ix_ctx *ctx, const ix_form *like, int nrows,
@@ -62,15 +67,6 @@ ix_status ix__form_copy(ix_ctx *ctx, const ix_form *f, ix_form *out)
     out->exp = f->exp;
     memcpy(out->c, f->c, (size_t)f->nrows * f->n * sizeof *f->c);
     return IX_OK;
-}
-
-ix_form ix__form_rows(const ix_form *f, int first, int count)
-{
-    ix_form v = *f;
-
-    v.nrows = count;
-    v.c += (size_t)first * f->n;
-    return v;
 }
 
 /* --- continuity ------------------------------------------------------------

@@ -110,7 +110,16 @@ ix_status ix__form_constant(ix_ctx *ctx, const ix_form *like, int nrows,
 ix_status ix__form_copy(ix_ctx *ctx, const ix_form *f,
                         ix_form *out) IX_MUST_CHECK;
 /* View of count rows from first on. */
-ix_form ix__form_rows(const ix_form *f, int first, int count);
+static inline ix_form ix__form_rows(const ix_form *f, int first, int count)
+{
+    return (ix_form){f->ndirs,
+                     count,
+                     f->bezier,
+                     f->exp,
+                     f->dirs,
+                     f->n,
+                     f->c + (size_t)first * f->n};
+}
 /* All rows of n forms one after the other, elevated to common degrees. */
 ix_status ix__form_join(ix_ctx *ctx, int n, const ix_form *const *parts,
                         ix_form *out) IX_MUST_CHECK;

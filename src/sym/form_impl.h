@@ -40,6 +40,9 @@ ix_status ix__form_meet(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 /* f's continuity cut to that of dirs. */
 ix_status ix__form_narrow(ix_ctx *ctx, const ix_spans *dirs,
                           ix_form *f) IX_MUST_CHECK;
+/* ix__form_alloc with coefficients that are there already (c NULL: not). */
+ix_status ix__form_adopt(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
+                         int nrows, double *c, ix_form *out) IX_MUST_CHECK;
 /* Both at the larger degrees and one exponent; views or elevated copies. */
 ix_status ix__form_match(ix_ctx *ctx, ix_form *a, ix_form *b) IX_MUST_CHECK;
 

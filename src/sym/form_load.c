@@ -192,43 +192,42 @@ static ix_status tamed(ix_ctx *ctx, const ix_mv *m, const double **pts,
     return IX_OK;
 }
 
-/* Decomposes direction after direction; the result may be in itself. */
+/* Decomposes direction after direction; *out stays if none needs it. */
 static ix_status decompose(ix_ctx *ctx, const operand *op, const double *in,
-                           const double **out)
+                           double **out)
 {
     size_t inner = 1, outer = (size_t)op->m->naxes * op->m->npts;
 
     for (int i = 0; i < op->m->ndirs; i++) {
         const ix_spans *sp = &op->spans[i];
         size_t w = ix__spans_size(sp);
-        double *next;
 
         outer /= (size_t)op->dirs[i].length;
         if (op->dirs[i].basis == IX_BSPLINE || sp->nspans > 1) {
-            IX_SCRATCH(ctx, next, outer * w * inner);
+            IX_SCRATCH(ctx, *out, outer * w * inner);
             IX_TRY(ix__spans_extract(ctx, &op->dirs[i], sp, outer, inner, in,
-                                     next));
-            in = next;
+                                     *out));
+            in = *out;
         }
         inner *= w;
     }
-    *out = in;
     return IX_OK;
 }
 
-/* Bernstein coefficients in to the scaled ones of f. */
+/* Bernstein coefficients in to the scaled ones of f, in place or not. */
 static ix_status scale(ix_ctx *ctx, const ix_form *f, const double *in)
 {
     const double *from = in;
 
     for (int i = 0; i < f->ndirs; i++) {
         int d = f->dirs[i].degree;
+        double *room = NULL;
         ix__shape s;
-        double *room;
 
         if (d < 2)
             continue;
-        IX_SCRATCH(ctx, room, d + 1);
+        if (d > IX__BINOM_TABLE)
+            IX_SCRATCH(ctx, room, d + 1);
         ix__form_shape(f, i, &s);
         ix__bern_scale(s.outer * s.nspans, d, s.inner, ix__binom(d, room), from,
                        f->c);
@@ -243,16 +242,18 @@ static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
                           unsigned bezier, ix_form *out)
 {
     const double *pts = op->m->pts;
+    double *own = NULL; /* decomposed coefficients, if that took any work */
     int exp = 0;
 
     if (frame)
         IX_TRY(framed(ctx, op->m, frame, &pts));
     IX_TRY(tamed(ctx, op->m, &pts, &exp));
-    IX_TRY(decompose(ctx, op, pts, &pts));
-    IX_TRY(ix__form_alloc(ctx, op->m->ndirs, op->spans, op->m->naxes, out));
+    IX_TRY(decompose(ctx, op, pts, &own));
+    IX_TRY(
+        ix__form_adopt(ctx, op->m->ndirs, op->spans, op->m->naxes, own, out));
     out->bezier = bezier;
     out->exp = exp;
-    return scale(ctx, out, pts);
+    return scale(ctx, out, own ? own : pts);
 }
 
 /* --- all together ------------------------------------------------------------

@@ -7,20 +7,21 @@
 #include "bern/bern.h"
 #include "sym/form_impl.h"
 
-ix_status ix__form_bernstein(ix_ctx *ctx, const ix_form *f, const double **out)
+/* Bernstein coefficients into to, double[nrows][n]; exp undone. */
+static ix_status unscale(ix_ctx *ctx, const ix_form *f, double *to)
 {
     const double *from = f->c;
     size_t n = (size_t)f->nrows * f->n;
-    double *to, *room;
+    double *room = NULL;
 
-    IX_SCRATCH(ctx, to, n);
     for (int i = 0; i < f->ndirs; i++) {
         int d = f->dirs[i].degree;
         ix__shape s;
 
         if (d < 2)
             continue;
-        IX_SCRATCH(ctx, room, d + 1);
+        if (d > IX__BINOM_TABLE)
+            IX_SCRATCH(ctx, room, d + 1);
         ix__form_shape(f, i, &s);
         ix__bern_unscale(s.outer * s.nspans, d, s.inner, ix__binom(d, room),
                          from, to);
@@ -30,25 +31,16 @@ ix_status ix__form_bernstein(ix_ctx *ctx, const ix_form *f, const double **out)
         memcpy(to, from, n * sizeof *to);
     for (size_t i = 0; f->exp && i < n; i++)
         to[i] = ldexp(to[i], f->exp);
-    *out = to;
     return IX_OK;
 }
 
-/* Direction dir composed, those before it already are. */
-static ix_status compose(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
-                         int dir, const double **x)
+ix_status ix__form_bernstein(ix_ctx *ctx, const ix_form *f, const double **out)
 {
-    size_t inner = 1, outer = (size_t)f->nrows;
-    double *next;
+    double *to;
 
-    for (int i = 0; i < dir; i++)
-        inner *= (size_t)dirs[i].length;
-    for (int i = dir + 1; i < f->ndirs; i++)
-        outer *= ix__spans_size(&f->dirs[i]);
-    IX_SCRATCH(ctx, next, outer * (size_t)dirs[dir].length * inner);
-    IX_TRY(ix__spans_compose(ctx, &f->dirs[dir], &dirs[dir], outer, inner, *x,
-                             next));
-    *x = next;
+    IX_SCRATCH(ctx, to, (size_t)f->nrows * f->n);
+    IX_TRY(unscale(ctx, f, to));
+    *out = to;
     return IX_OK;
 }
 
@@ -63,13 +55,68 @@ ix_status ix__form_dirs(ix_ctx *ctx, const ix_form *f, const ix_sym_opts *o,
     return IX_OK;
 }
 
+/* The last direction with more than one span, -1 if none: the coefficients
+ * of a single span are those of the result. */
+static int last_composed(const ix_form *f)
+{
+    int i = f->ndirs - 1;
+
+    while (i >= 0 && f->dirs[i].nspans == 1)
+        i--;
+    return i;
+}
+
+/* Composes direction dir, those before it already are; to NULL: in scratch. */
+static ix_status compose(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
+                         int dir, const double **x, double *to)
+{
+    size_t inner = 1, outer = (size_t)f->nrows;
+
+    for (int i = 0; i < dir; i++)
+        inner *= (size_t)dirs[i].length;
+    for (int i = dir + 1; i < f->ndirs; i++)
+        outer *= ix__spans_size(&f->dirs[i]);
+    if (!to)
+        IX_SCRATCH(ctx, to, outer * (size_t)dirs[dir].length * inner);
+    IX_TRY(ix__spans_compose(ctx, &f->dirs[dir], &dirs[dir], outer, inner, *x,
+                             to));
+    *x = to;
+    return IX_OK;
+}
+
+/* Control points double[nrows][points] of the result into to. */
+static ix_status points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
+                        double *to)
+{
+    int last = last_composed(f);
+    const double *x;
+
+    if (last < 0)
+        return unscale(ctx, f, to);
+    IX_TRY(ix__form_bernstein(ctx, f, &x));
+    for (int i = 0; i <= last; i++)
+        if (f->dirs[i].nspans > 1)
+            IX_TRY(compose(ctx, f, dirs, i, &x, i == last ? to : NULL));
+    return IX_OK;
+}
+
+static size_t count_points(const ix_form *f, const ix_dir *dirs)
+{
+    size_t n = (size_t)f->nrows;
+
+    for (int i = 0; i < f->ndirs; i++)
+        n *= (size_t)dirs[i].length;
+    return n;
+}
+
 ix_status ix__form_points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
                           const double **out)
 {
-    IX_TRY(ix__form_bernstein(ctx, f, out));
-    for (int i = 0; i < f->ndirs; i++)
-        if (f->dirs[i].nspans > 1) /* else its coefficients are the result's */
-            IX_TRY(compose(ctx, f, dirs, i, out));
+    double *to;
+
+    IX_SCRATCH(ctx, to, count_points(f, dirs));
+    IX_TRY(points(ctx, f, dirs, to));
+    *out = to;
     return IX_OK;
 }
 
@@ -89,18 +136,19 @@ ix_status ix__form_store(ix_ctx *ctx, const ix_form *f, bool rational,
                          const ix_sym_opts *o, ix_mv **out)
 {
     ix_dir dirs[IX_MAX_DIRS];
-    const double *x;
-    size_t n = (size_t)f->nrows;
+    ix_status st;
     ix_mv *m;
 
     IX_TRY(ix__form_dirs(ctx, f, o, dirs));
-    IX_TRY(ix__form_points(ctx, f, dirs, &x));
-    for (int i = 0; i < f->ndirs; i++)
-        n *= (size_t)dirs[i].length;
-    IX_TRY(ix__check_finite(ctx, n, x));
     IX_TRY(ix__mv_alloc(ctx, f->ndirs, dirs, f->nrows - (rational ? 1 : 0),
                         rational, &m));
-    memcpy(m->pts, x, n * sizeof *x);
+    st = points(ctx, f, dirs, m->pts);
+    if (st == IX_OK)
+        st = ix__check_finite(ctx, (size_t)m->naxes * m->npts, m->pts);
+    if (st != IX_OK) {
+        ix_mv_unref(ctx, m);
+        return st;
+    }
     *out = m;
     return IX_OK;
 }
