@@ -46,27 +46,29 @@ typedef struct {
  * C1 at s and C2 at t.
  *
  * In    c1, c2   curves of at most 3 coordinates (missing ones are 0), any
- *                basis, polynomial or rational, C0 or better; borrowed
- *       o        IX_FORM_MINIMAL or IX_FORM_IRIT
+ *                basis, polynomial or rational, with any continuity; borrowed
+ *       o        IX_FORM_MINIMAL; IX_FORM_PUBLISHED and IX_FORM_IRIT raise
+ *                rational degrees to 4d - 1 and 5d, the latter gives a
+ *                B-spline with C0 joins
  * Out   *out     rational surface with 3 coordinates, direction 0 over c1's
- *                domain, direction 1 over c2's; new reference. Degree in each
- *                direction, d that of the curve: 3d - 1 (both polynomial), 4d
- *                - 2 (either rational; a polynomial one of degree d then also
- *                has 4d - 2 at most, 3d - 1 if it alone is polynomial). The
- *                sum of the weights is positive: all are where one sign
- *                suffices. Weights of both signs: the surface passes through
- *                infinity (poles)
+ *                domain, direction 1 over c2's; new reference. Degree in a
+ *                direction: 3d - 1 if its curve is polynomial of degree d, 4d
+ *                - 2 if rational; continuity one less than the curve's. The
+ *                weights add up to a positive number: all are positive where
+ *                one sign suffices. Weights of both signs: the surface passes
+ *                through infinity (poles)
  *       rep      residual: largest ||B - C1| - |B - C2|| relative to |B - C1|
- *                or the curves' size, on a 5 x 5 grid, poles left out
- * Err   IX_EDOMAIN  the weight vanishes identically within its error band:
+ *                or the size of the curves, on a 5 x 5 grid, poles left out
+ * Err   IX_EARG     not a curve, or more than 3 coordinates
+ *       IX_EDOMAIN  the weight vanishes identically within its error band:
  *                   coplanar curves, among them intersecting or parallel
- *                   lines (the message gives weight and band); a curve is a
- *                   point; both are the same curve; all weights zero
- *       IX_EARG     not curves, or more than 3 coordinates
- *       IX_EUNABLE  a degree form that is not built; too high a degree
+ *                   lines (the message gives weight and band)
+ *       IX_EDOMAIN  a curve is a point
+ *       IX_EDOMAIN  both are the same curve, perhaps reversed
+ *       IX_EDOMAIN  all weights of the input are zero
+ *       IX_EUNABLE  IX_FORM_NAIVE; an order above IX_MAX_ORDER
  * Num   in a frame of size 1, as six products of minors for each coordinate;
- *       relative equidistance about 1e-14 (d = 3) where the weight is not
- *       small; a cubic pair takes about 2 us
+ *       relative equidistance about 1e-14 where the weight is not small
  * Src   Elber and Kim 1998, equations (4)-(6); the degree by minors of lifted
  *       curves (docs/ops/cbisector3d.md) */
 ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,

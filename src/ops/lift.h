@@ -1,0 +1,31 @@
+/* lift.h - curves lifted to spheres.
+ *
+ * The lift of a rational curve P = (p, w), p in m coordinates, is
+ * L = (w p, w^2, |p|^2), m + 2 rows of degree 2d: the sphere a.x + b + e|x|^2
+ * = 0 meets the curve where L.(a, b, e) = 0. Contact is linear in L and its
+ * partials. For polynomial curves (w = 1) the affine rows p, 1, |p|^2 of
+ * degrees d, 0, 2d give lower degrees. */
+#ifndef OPS_LIFT_H
+#define OPS_LIFT_H
+
+#include "sym/form.h"
+
+/* The rational lift of a form with rows w, p (rational) or p. */
+ix_status ix__lift(ix_ctx *ctx, const ix_form *f, bool rational,
+                   ix_form *out) IX_MUST_CHECK;
+
+/* The ten 2 x 2 minors of the lift of a space curve and its derivative, rows
+ * in the order of ix__lift_pair. Degree 3d - 1 for polynomial curves (minors
+ * of L, h0 L'), 4d - 2 for rational ones (minors of L_U, L_V); continuity one
+ * less than the curve's. */
+ix_status ix__lift_tangents(ix_ctx *ctx, const ix_form *f, bool rational,
+                            ix_form *out) IX_MUST_CHECK;
+
+/* Row of the minor on columns i < j of x, y, z, 1, q: xy xz x1 xq yz y1 yq z1
+ * zq 1q. */
+static inline int ix__lift_pair(int i, int j)
+{
+    return i * (9 - i) / 2 + j - i - 1;
+}
+
+#endif
