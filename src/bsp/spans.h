@@ -56,4 +56,21 @@ ix_status ix__spans_compose(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
                             size_t outer, size_t inner, const double *in,
                             double *out) IX_MUST_CHECK;
 
+/* The extraction of one span as a matrix: row i holds the weights of the
+ * control points c[mu - degree .. mu] in the Bernstein coefficient i over
+ * [ab[0], ab[1]] inside the knot span mu: out[degree + 1][degree + 1]. */
+void ix__span_matrix(const double *knots, int mu, int degree,
+                     const double ab[2], double *out);
+
+/* The spline in dir nearest to Bernstein coefficients on sp, both ends kept
+ * (unless its order is 1): least squares of Bernstein coefficients of sp's
+ * degree, which is also the best approximation in L2 on one span (Lutterkort,
+ * Peters, Reif 1999). dir is open (or Bezier, on the one span [0, 1]), its
+ * order at most degree + 1, its breaks among sp's. in as for compose; err
+ * [outer] receives a bound of the change, valid for whole spans. Err
+ * IX_EUNABLE too badly conditioned (orders far apart and large). */
+ix_status ix__spans_fit(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
+                        size_t outer, size_t inner, const double *in,
+                        double *out, double *err) IX_MUST_CHECK;
+
 #endif

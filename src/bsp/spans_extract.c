@@ -73,6 +73,17 @@ static inline __attribute__((always_inline)) void extract_span(
     }
 }
 
+void ix__span_matrix(const double *knots, int mu, int degree,
+                     const double ab[2], double *out)
+{
+    int n = degree + 1;
+
+    memset(out, 0, (size_t)n * (size_t)n * sizeof *out);
+    for (int i = 0; i < n; i++)
+        out[i * n + i] = 1;
+    extract_span(knots, mu, degree, ab, out, n);
+}
+
 /* Offset of point 0 of row r in an array with n points a row. */
 static size_t row_offset(const job *jb, size_t r, size_t n)
 {
