@@ -17,6 +17,18 @@ static void divide(size_t n, const double *x, const double *w, double *out)
         out[i] = x[i] / (w[i] == 0 ? 1e-14 : w[i]);
 }
 
+double ix__mv_one(const ix_mv *m, size_t i)
+{
+    for (int d = 0; d < m->ndirs; d++) {
+        size_t len = (size_t)m->dirs[d].length;
+
+        if (m->dirs[d].basis == IX_POWER && i % len > 0)
+            return 0;
+        i /= len;
+    }
+    return 1;
+}
+
 ix_status ix_mv_coerce(ix_ctx *ctx, const ix_mv *m, int ncoords, bool rational,
                        ix_mv **out)
 {
@@ -34,7 +46,7 @@ ix_status ix_mv_coerce(ix_ctx *ctx, const ix_mv *m, int ncoords, bool rational,
     IX_TRY(alloc_axes(ctx, m, ncoords, rational, out));
     to = (*out)->pts;
     for (size_t i = 0; rational && i < n; i++)
-        to[i] = m->rational ? m->pts[i] : 1;
+        to[i] = m->rational ? m->pts[i] : ix__mv_one(m, i);
     for (int c = 0; c < ncoords; c++) {
         double *x = to + (size_t)(c + rational) * n;
 

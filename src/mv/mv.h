@@ -96,6 +96,10 @@ ix_status ix__mv_check_dir(ix_ctx *ctx, const ix_mv *m, int dir) IX_MUST_CHECK;
 /* Knots that are meant to be one (4 ulp of the largest) become equal. */
 void ix__mv_join_knots(const ix_dir *dir, double *knots);
 
+/* Coefficient i of the constant 1 on m's directions: 1, but 0 for the higher
+ * coefficients of a power basis. */
+double ix__mv_one(const ix_mv *m, size_t i);
+
 /* Stride of a direction inside one axis, in points. */
 size_t ix__mv_stride(const ix_mv *m, int dir);
 

@@ -32,13 +32,14 @@ ix_status ix_mv_transform(ix_ctx *ctx, const ix_mv *m, const double mat[16],
     }
     shift = rational ? n : 0;
     for (size_t i = 0; i < n; i++) {
-        double p[4] = {0, 0, 0, rational ? r->pts[i] : 1}, h[4];
+        double p[4] = {0, 0, 0, rational ? r->pts[i] : ix__mv_one(m, i)}, h[4];
 
         for (int c = 0; c < nc; c++)
             p[c] = r->pts[shift + (size_t)c * n + i];
         apply(mat, p, h);
         for (int c = 0; c < nc; c++)
-            r->pts[shift + (size_t)c * n + i] = rational ? h[c] : h[c] / h[3];
+            r->pts[shift + (size_t)c * n + i] = rational ? h[c]
+                                                         : h[c] / mat[15];
         if (rational)
             r->pts[i] = h[3];
     }
