@@ -8,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bsp/basis.h"
 #include "bsp/band.h"
+#include "bsp/basis.h"
 #include "geom/gauss.h"
 #include "geom/quad.h"
 #include "iritx/geom.h"

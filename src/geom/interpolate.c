@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bsp/basis.h"
 #include "bsp/band.h"
+#include "bsp/basis.h"
 #include "geom/project.h"
 #include "iritx/geom.h"
 #include "mv/mv.h"

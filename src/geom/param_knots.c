@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bsp/basis.h"
 #include "bsp/band.h"
+#include "bsp/basis.h"
 #include "iritx/geom.h"
 
 /* Largest amplification of data, in the maximum norm, up to which the first

@@ -20,10 +20,13 @@ bool ix__mv_has_basis(const ix_mv *m, ix_basis b)
 
 ix_status ix__mv_plain(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 {
+    bool bspline = ix__mv_has_basis(m, IX_BSPLINE);
+
+    if (bspline &&
+        (ix__mv_has_basis(m, IX_BEZIER) || ix__mv_has_basis(m, IX_POWER)))
+        return ix_mv_to_bspline(ctx, m, out);
     if (ix__mv_has_basis(m, IX_POWER))
         return ix_mv_power_to_bezier(ctx, m, out);
-    if (ix__mv_has_basis(m, IX_BSPLINE) && ix__mv_has_basis(m, IX_BEZIER))
-        return ix_mv_to_bspline(ctx, m, out);
     *out = ix_mv_ref(m);
     return IX_OK;
 }

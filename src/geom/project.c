@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bsp/basis.h"
 #include "bsp/band.h"
+#include "bsp/basis.h"
 #include "geom/gauss.h"
 
 typedef struct {

@@ -187,35 +187,46 @@ ix_status ix_srf_extrude(ix_ctx *ctx, const ix_mv *m, const double vec[3],
     return st;
 }
 
-/* b + f t, domains mapped onto b's. t[4] keeps what is made on the way. */
+/* b + f t, domains mapped onto b's. t keeps what is made on the way. */
 static ix_status offset_row(ix_ctx *ctx, const ix_mv *b, const ix_mv *tan,
                             double f, ix_mv *t[4], ix_mv **out)
 {
     const double mat[16] = {f, 0, 0, 0, 0, f, 0, 0, 0, 0, f, 0, 0, 0, 0, 1};
+    double dom[2];
 
     IX_TRY(ix__mv_plain2(ctx, b, tan, &t[0], &t[1]));
-    IX_TRY(ix_mv_compatible(ctx, t[0], t[1], IX_SAME_KNOTS, &t[2], &t[3]));
-    ix_mv_unref(ctx, t[1]);
-    t[1] = NULL;
-    IX_TRY(ix_mv_transform(ctx, t[3], mat, &t[1]));
-    return ix_sym_add(ctx, t[2], t[1], NULL, out);
+    ix_mv_domain(t[0], 0, dom);
+    if (ix__mv_has_basis(t[0], IX_BSPLINE))
+        IX_TRY(ix_mv_reparam(ctx, t[1], 0, dom[0], dom[1], &t[2]));
+    else
+        t[2] = ix_mv_ref(t[1]);
+    IX_TRY(ix_mv_transform(ctx, t[2], mat, &t[3]));
+    return ix_sym_add(ctx, t[0], t[3], NULL, out);
 }
 
-static ix_status hermite(ix_ctx *ctx, const ix_mv *const c[4], ix_mv *t[12],
-                         ix_mv **out)
+enum { ROW_TEMPS = 4, HERMITE_TEMPS = 4 * ROW_TEMPS + 5 };
+
+/* The outer rows get the weights of the inner ones (b + 0 t has), so that the
+ * derivative of the projected surface is 3 times the difference of rows. */
+static ix_status hermite(ix_ctx *ctx, const ix_mv *const c[4],
+                         ix_mv *t[HERMITE_TEMPS], ix_mv **out)
 {
-    IX_TRY(offset_row(ctx, c[0], c[2], 1.0 / 3, t, &t[8]));
-    IX_TRY(offset_row(ctx, c[1], c[3], -1.0 / 3, t + 4, &t[9]));
-    IX_TRY(ix_srf_layers(ctx, 4, (const ix_mv *const[]){c[0], t[8], t[9], c[1]},
-                         4, IX_KV_OPEN, &t[10]));
-    return ix_mv_swap_dirs(ctx, t[10], 0, 1, out);
+    static const double f[4] = {0, 1.0 / 3, -1.0 / 3, 0};
+    ix_mv **row = t + 4 * ROW_TEMPS;
+
+    for (int i = 0; i < 4; i++)
+        IX_TRY(offset_row(ctx, c[i / 2], c[2 + i / 2], f[i], t + i * ROW_TEMPS,
+                          &row[i]));
+    IX_TRY(ix_srf_layers(ctx, 4, (const ix_mv *const *)row, 4, IX_KV_OPEN,
+                         &row[4]));
+    return ix_mv_swap_dirs(ctx, row[4], 0, 1, out);
 }
 
 ix_status ix_srf_hermite(ix_ctx *ctx, const ix_mv *b1, const ix_mv *b2,
                          const ix_mv *t1, const ix_mv *t2, ix_mv **out)
 {
     const ix_mv *const c[4] = {b1, b2, t1, t2};
-    ix_mv *t[12] = {NULL};
+    ix_mv *t[HERMITE_TEMPS] = {NULL};
     ix_status st;
 
     *out = NULL;
@@ -226,6 +237,6 @@ ix_status ix_srf_hermite(ix_ctx *ctx, const ix_mv *b1, const ix_mv *b2,
                            "%d directions",
                            c[i]->ndirs);
     st = hermite(ctx, c, t, out);
-    ix__mv_unref_all(ctx, t, 12);
+    ix__mv_unref_all(ctx, t, HERMITE_TEMPS);
     return st;
 }
