@@ -38,7 +38,7 @@ ix__unit *ix__unit_ref(ix__unit *u)
 static void drop_literals(ix__unit *u)
 {
     for (ix__node *n = u->lits; n; n = n->next_lit)
-        ix__obj_unref(u->ctx, n->lit);
+        ix__obj_unref(u->ctx, n->box);
     u->lits = NULL;
 }
 
@@ -130,19 +130,19 @@ ix_obj *ix__node_box(ix__unit *u, ix__node *n)
 {
     ix_obj *fresh;
 
-    if (n->lit && n->lit->refs == 1 && !n->lit->name && !n->lit->attrs)
-        return n->lit;
-    fresh = n->kind == N_NUM ? ix__obj_number(u->ctx, n->u.num)
+    if (n->box && n->box->refs == 1 && !n->box->name && !n->box->attrs)
+        return n->box;
+    fresh = n->kind == N_NUM ? ix__obj_number(u->ctx, n->u.lit.num)
                              : ix__obj_string(u->ctx, n->u.str.s, n->u.str.len);
     if (!fresh)
         return NULL;
-    if (n->lit) {
-        ix__obj_unref(u->ctx, n->lit);
+    if (n->box) {
+        ix__obj_unref(u->ctx, n->box);
     } else {
         n->next_lit = u->lits;
         u->lits = n;
     }
-    n->lit = fresh;
+    n->box = fresh;
     return fresh;
 }
 

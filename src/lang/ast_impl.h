@@ -29,7 +29,7 @@ typedef enum {
     N_NEG,
     N_NOT,
     N_BINARY, /* op; kid[0] left, kid[1] right */
-    N_CHAIN,  /* ops[i] between kid[i] and kid[i + 1], left associative */
+    N_CHAIN,  /* u.steps[i] between kid[i] and kid[i + 1], left associative */
     N_ASSIGN, /* kid[0] the variable, kid[1] the value */
     N_CALL,   /* u.bi: a built-in */
     N_USER,   /* u.sym: a user function or procedure */
@@ -40,16 +40,25 @@ typedef enum {
     N_FUNDEF /* u.fn */
 } ix__kind;
 
+/* One operator of a chain. */
+typedef struct {
+    ix__op op;
+    ix__pos pos;
+} ix__step;
+
 struct ix__node {
     ix__kind kind;
     ix__op op;
     ix__pos pos;
     int n; /* kids */
     ix__node **kid;
-    ix_obj *lit; /* N_NUM, N_STR: the box, made when first needed */
+    ix_obj *box; /* N_NUM, N_STR: made when first needed */
     ix__node *next_lit;
     union {
-        double num;
+        struct {
+            double num;
+            const char *constant; /* its name, if it was one */
+        } lit;
         struct {
             const char *s;
             size_t len;
@@ -57,7 +66,7 @@ struct ix__node {
         ix__sym *sym;
         size_t slot;
         const ix__bi *bi;
-        const ix__op *ops;
+        const ix__step *steps;
         ix__fn *fn;
     } u;
 };

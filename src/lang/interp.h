@@ -17,8 +17,11 @@ typedef struct {
     size_t max_coeffs;   /* control values of one object [16 M] */
     bool strict;         /* stop at the first error of any kind */
     bool check_only;     /* parse and type-check, run nothing */
+    bool quiet;          /* no warnings */
     bool allow_system;   /* SYSTEM, and files outside root */
     const char *root;    /* files stay below it; NULL: the current directory */
+    const char *include_path; /* directories, ';' between them, where INCLUDE
+                                 looks last; NULL: none */
 } ix_interp_opts;
 
 ix_status ix__interp_new(ix_ctx *ctx, const ix_interp_opts *o,
@@ -87,7 +90,7 @@ ix_status ix__log(ix_interp *in, const char *file, bool on) IX_MUST_CHECK;
 /* One line of standard input without its newline, appended to b; false at
  * the end of input. */
 bool ix__in_line(ix_interp *in, ix_buf *b);
-/* VIEWOBJ: adds a reference to the viewed list; NULL empties the list. */
+/* VIEWOBJ: adds a copy to the viewed list; NULL empties the list. */
 ix_status ix__view(ix_interp *in, ix_obj *o) IX_MUST_CHECK;
 
 /* The global variables and user functions one by one, in the order of their

@@ -15,7 +15,8 @@ struct ix__sym {
     ix_obj *box;          /* NULL: not defined */
     ix__fn *fn;           /* the user function of this name */
     ix__types declared;   /* --check: types that an assignment would give */
-    unsigned long parsed; /* the last statement that assigns it */
+    unsigned long parsed; /* the last statement that assigns it, or the
+                             complement of one that missed it */
     bool no_startup;      /* its start-up function was freed */
     char name[];          /* upper case */
 };
@@ -32,7 +33,7 @@ typedef struct {
     ix__unit *unit; /* a reference; NULL: no place */
     ix__pos pos;
     bool set;
-    int ntrace;
+    int ntrace, nmore;
     struct {
         const char *fn, *file;
         int line;
@@ -51,17 +52,19 @@ struct ix_interp {
     char **file_name; /* interned names of sources */
     size_t nfiles, cap_files;
 
-    ix_obj **stack; /* locals; NULL: not defined */
-    size_t top, cap_stack;
+    ix_obj **stack;              /* locals; NULL: not defined */
+    size_t top, base, cap_stack; /* base: of the running function's */
     ix__frame *frame;
-    int nframes, cap_frames;
+    int nframes;
+    size_t cap_frames;
 
     ix__unit *unit;     /* of the code that runs */
+    ix__pos here;       /* what runs, for remarks */
     ix__unit *spare;    /* an empty unit for the next statement */
     ix__reader *rd;     /* the innermost reader of files */
     unsigned long step; /* statements and rounds so far */
     unsigned long parse_no;
-    const char *stack_base; /* of the C stack, at the outermost run */
+    uintptr_t stack_base; /* of the C stack, at the outermost run */
     bool exiting;
 
     ix__place place;           /* of the failure under way */
@@ -71,9 +74,11 @@ struct ix_interp {
 
     FILE *out, *log; /* NULL: standard output; no log */
     char *log_name;
-    bool log_on;
+    bool log_on, out_failed;
+    ix_buf text; /* of the value being printed */
     ix_obj *viewed;
-    char *root; /* real path of the directory that files stay below */
+    char *root;       /* real path of the directory that files stay below */
+    char *script_dir; /* ... of the script on the command line */
 };
 
 /* --- symbols (scope.c) ---------------------------------------------------- */
@@ -111,30 +116,66 @@ ix_status ix__predefine(ix_interp *in) IX_MUST_CHECK;
  * running activations first. */
 ix_status ix__parse(ix_interp *in, ix__reader *rd, ix__unit *u, bool dynamic,
                     ix__node **out, bool *end) IX_MUST_CHECK;
+/* What the static check needs to know of the statement. */
+typedef struct {
+    unsigned long parse_no; /* symbols that it assigns carry this */
+    bool calls;             /* it calls user functions or EXEC */
+    const ix__fn *fn;       /* that it defines */
+} ix__checks;
 /* The static check: undefined names, argument counts and types. */
-ix_status ix__check(ix_interp *in, ix__unit *u, unsigned long parse_no,
+ix_status ix__check(ix_interp *in, ix__unit *u, const ix__checks *c,
                     ix__node *n) IX_MUST_CHECK;
+/* Records the message about argument i (0-based) of a set of wrong types. */
+ix_status ix__arg_mismatch(ix_interp *in, const ix__bi *bi, int i,
+                           ix__types got);
 /* The user function that a call of name would reach; compiles one of the
  * start-up library. *out NULL: none. */
 ix_status ix__fn_lookup(ix_interp *in, const char *name,
                         ix__sym **out) IX_MUST_CHECK;
 
 /* --- running (eval.c, exec.c) --------------------------------------------- */
+/* A value: a new reference, or a number without a box. */
+typedef struct {
+    ix_obj *o; /* NULL: the number */
+    double num;
+    bool none; /* a call that gave no value */
+} ix__val;
+/* The value of a node of in->unit. A call that gives none is an error ... */
+ix_status ix__eval(ix_interp *in, ix__node *n, ix__val *v) IX_MUST_CHECK;
+/* ... or allowed. */
+ix_status ix__eval_maybe(ix_interp *in, ix__node *n, ix__val *v) IX_MUST_CHECK;
+/* As a box (a new reference): a variable's own, with its name. */
+ix_status ix__eval_box(ix_interp *in, ix__node *n, ix_obj **out) IX_MUST_CHECK;
+ix_status ix__eval_num(ix_interp *in, ix__node *n, const char *what,
+                       double *out) IX_MUST_CHECK;
+/* Where a variable's box is kept; its name. */
+ix_obj **ix__node_slot(ix_interp *in, const ix__node *n);
+const char *ix__node_name(const ix_interp *in, const ix__node *n);
 /* Runs a statement of in->unit. */
 ix_status ix__exec(ix_interp *in, ix__node *n) IX_MUST_CHECK;
-/* All statements of a reader; dynamic as in ix__parse. */
-ix_status ix__run_reader(ix_interp *in, ix__reader *rd,
-                         bool dynamic) IX_MUST_CHECK;
+ix_status ix__assign(ix_interp *in, ix__node *n) IX_MUST_CHECK;
 /* One step of fuel, and a look at the cancel flag. */
 ix_status ix__tick(ix_interp *in) IX_MUST_CHECK;
 /* Prints a value as an expression statement; refs is what the header shows. */
 ix_status ix__print_value(ix_interp *in, const ix_obj *o,
                           int refs) IX_MUST_CHECK;
 
+/* Err IX_EARG: most of the C stack is used up. */
+ix_status ix__stack_check(ix_interp *in) IX_MUST_CHECK;
+
+/* --- files (paths.c) ------------------------------------------------------ */
+#define IX_PATH 4096
+ix_status ix__paths_init(ix_interp *in) IX_MUST_CHECK;
+/* Scripts beside this one may be included. */
+ix_status ix__paths_script(ix_interp *in, const char *script) IX_MUST_CHECK;
+/* The path of a script to include from the file from. Err IX_EIO. */
+ix_status ix__path_include(ix_interp *in, const char *name, const char *from,
+                           char out[IX_PATH]) IX_MUST_CHECK;
+
 /* --- messages (report.c) ---------------------------------------------------
  */
 /* Where the failure just recorded in the context arose, unless a place is
- * known already. Returns the context's status. */
+ * known already. Returns the context's status, never IX_OK. */
 ix_status ix__at(ix_interp *in, ix__unit *u, ix__pos pos);
 #define IX_FAIL_AT(in, u, pos, ...)                                            \
     ((void)IX_FAIL((in)->ctx, IX_EARG, __VA_ARGS__), ix__at((in), (u), (pos)), \

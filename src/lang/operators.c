@@ -270,23 +270,39 @@ static ix_status compare(ix_interp *in, ix__op op, const ix_obj *l,
 /* --- dispatch
  * ------------------------------------------------------------------------ */
 
-static ix_status mismatch(ix_interp *in, ix__op op, const ix_obj *l,
-                          const ix_obj *r)
+/* What unary op may have, or what may stand on the left of binary op. */
+static ix__types operands(ix__op op)
 {
-    char a[64], b[64], c[256];
-    ix__types right = ix__op_right(op, 1u << l->type);
+    ix__types left = 0;
 
-    ix__types_text(1u << l->type, a, sizeof a);
+    if (op == OP_NEG)
+        return NEGATABLE;
+    if (op == OP_NOT)
+        return NUM;
+    if (op == OP_EQ || op == OP_NE)
+        return COMPARABLE;
+    for (const rule *k = rules_of(op); k->l; k++)
+        left |= k->l;
+    return left;
+}
+
+ix_status ix__op_mismatch(ix_interp *in, ix__op op, ix__types l, ix__types r)
+{
+    char a[200], b[200], c[400];
+    ix__types right = op < OP_NEG ? ix__op_right(op, l) : 0;
+    const char *left_text = ix__types_text(l, a, sizeof a);
+
     if (!right)
-        return IX_FAIL(
-            in->ctx, IX_EARG, "operator %s cannot have %s on its left",
-            ix__op_text(op), ix__types_text(1u << l->type, a, sizeof a));
+        return IX_FAIL(in->ctx, IX_EARG, "operator %s takes %s%s, got %s",
+                       ix__op_text(op),
+                       ix__types_text(operands(op), c, sizeof c),
+                       op < OP_NEG ? " on its left" : "", left_text);
     return IX_FAIL(in->ctx, IX_EARG,
-                   "operator %s cannot have %s on its left and %s on its "
-                   "right; there it takes %s",
-                   ix__op_text(op), a,
-                   ix__types_text(1u << r->type, b, sizeof b),
-                   ix__types_text(right, c, sizeof c));
+                   "operator %s with %s on its left takes %s on its right, "
+                   "got %s",
+                   ix__op_text(op), left_text,
+                   ix__types_text(right, c, sizeof c),
+                   ix__types_text(r, b, sizeof b));
 }
 
 ix_status ix__op_apply(ix_interp *in, ix__op op, ix_obj *l, ix_obj *r,
@@ -297,7 +313,7 @@ ix_status ix__op_apply(ix_interp *in, ix__op op, ix_obj *l, ix_obj *r,
 
     *out = NULL;
     if (!ix__op_types(op, tl, tr))
-        return mismatch(in, op, l, r);
+        return ix__op_mismatch(in, op, tl, tr);
     if (l->type == IX_OBJ_NUMBER && r->type == IX_OBJ_NUMBER) {
         double v;
 

@@ -148,19 +148,6 @@ const char *ix__intern_file(ix_interp *in, const char *name)
 /* --- slots
  * ---------------------------------------------------------------------- */
 
-/* Exchanges the values (not names and counts) of two boxes. */
-static void swap_values(ix_obj *a, ix_obj *b)
-{
-    ix_obj t = *a;
-
-    a->type = b->type;
-    a->attrs = b->attrs;
-    a->u = b->u;
-    b->type = t.type;
-    b->attrs = t.attrs;
-    b->u = t.u;
-}
-
 static ix_status rename_box(ix_interp *in, ix_obj *o, const char *name)
 {
     if (!name && !o->name)
@@ -195,7 +182,6 @@ ix_status ix__slot_take(ix_interp *in, ix_obj **slot, const char *name,
                         ix_obj *o)
 {
     ix_obj *dst = *slot;
-    ix_status st = IX_OK;
 
     if (dst == o) {
         ix__obj_unref(in->ctx, o);
@@ -204,12 +190,7 @@ ix_status ix__slot_take(ix_interp *in, ix_obj **slot, const char *name,
     if (!dst ||
         (o->type == IX_OBJ_LIST && dst->refs > 1 && ix__obj_contains(o, dst)))
         return fresh_box(in, slot, name, o);
-    if (o->refs == 1)
-        swap_values(dst, o);
-    else
-        st = ix__obj_assign(in->ctx, dst, o);
-    ix__obj_unref(in->ctx, o);
-    return st;
+    return ix__obj_move(in->ctx, dst, o);
 }
 
 ix_status ix__slot_number(ix_interp *in, ix_obj **slot, const char *name,

@@ -5,29 +5,28 @@
 #include <assert.h>
 #include <ctype.h>
 #include <pthread.h>
-#include <stdlib.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "lang/interp_impl.h"
 #include "lang/startup.h"
 
-#define WEAK __attribute__((weak))
-extern const ix_builtin ix__builtins_system[] WEAK;
-extern const ix_builtin ix__builtins_numeric[] WEAK;
-extern const ix_builtin ix__builtins_list[] WEAK;
-extern const ix_builtin ix__builtins_output[] WEAK;
-extern const ix_builtin ix__builtins_attr[] WEAK;
-extern const ix_builtin ix__builtins_analytic[] WEAK;
-extern const ix_builtin ix__builtins_curve[] WEAK;
-extern const ix_builtin ix__builtins_freeform[] WEAK;
-extern const ix_builtin ix__builtins_surface[] WEAK;
-extern const ix_builtin ix__builtins_trivar[] WEAK;
-extern const ix_builtin ix__builtins_mv[] WEAK;
-extern const ix_builtin ix__builtins_sym[] WEAK;
-extern const ix_builtin ix__builtins_ops[] WEAK;
-extern const ix_builtin ix__builtins_poly[] WEAK;
-extern const ix_builtin ix__builtins_startup[] WEAK;
+extern const ix_builtin ix__builtins_system[];
+extern const ix_builtin ix__builtins_numeric[];
+extern const ix_builtin ix__builtins_list[];
+extern const ix_builtin ix__builtins_output[];
+extern const ix_builtin ix__builtins_attr[];
+extern const ix_builtin ix__builtins_analytic[];
+extern const ix_builtin ix__builtins_curve[];
+extern const ix_builtin ix__builtins_freeform[];
+extern const ix_builtin ix__builtins_surface[];
+extern const ix_builtin ix__builtins_trivar[];
+extern const ix_builtin ix__builtins_mv[];
+extern const ix_builtin ix__builtins_sym[];
+extern const ix_builtin ix__builtins_ops[];
+extern const ix_builtin ix__builtins_poly[];
+extern const ix_builtin ix__builtins_startup[];
 
 /* Statements that the parser knows itself, here for help and lists only. */
 static const ix_builtin control[] = {

@@ -66,6 +66,8 @@ const char *ix__op_text(ix__op op); /* "+" */
 ix__types ix__op_types(ix__op op, ix__types l, ix__types r);
 /* What may stand on the right of op when l is on the left. */
 ix__types ix__op_right(ix__op op, ix__types l);
+/* Records the message that op does not take these operands: IX_EARG. */
+ix_status ix__op_mismatch(ix_interp *in, ix__op op, ix__types l, ix__types r);
 /* Applies op to two boxes of any types (both numbers are the evaluator's own
  * affair); *out is a new reference. Err IX_EARG types, and what the operation
  * itself gives. */
