@@ -24,22 +24,21 @@ enum { NTERMS = 24, GRID = 5 };
 /* det of the columns but `without`, expanded along the rows in s, times f. */
 static void expand(int row, int without, double f, ix_outer_term *t)
 {
-    static const int sign[6] = {1, -1, 1, 1, -1, 1};
-    int c[4], n = 0, k = 0;
+    static const int pairs[6][5] = {{0, 1, 2, 3, 1},  {0, 2, 1, 3, -1},
+                                    {0, 3, 1, 2, 1},  {1, 2, 0, 3, 1},
+                                    {1, 3, 0, 2, -1}, {2, 3, 0, 1, 1}};
+    int c[4], n = 0;
 
     for (int j = 0; j < 5; j++)
         if (j != without)
             c[n++] = j;
-    for (int i = 0; i < 4; i++)
-        for (int j = i + 1; j < 4; j++, k++) {
-            int r[2], m = 0;
+    for (int k = 0; k < 6; k++) {
+        const int *q = pairs[k];
+        int su, sv, u = ix__lift_minor(c[q[0]], c[q[1]], &su);
+        int v = ix__lift_minor(c[q[2]], c[q[3]], &sv);
 
-            for (int q = 0; q < 4; q++)
-                if (q != i && q != j)
-                    r[m++] = c[q];
-            t[k] = (ix_outer_term){row, ix__lift_pair(c[i], c[j]),
-                                   ix__lift_pair(r[0], r[1]), f * sign[k]};
-        }
+        t[k] = (ix_outer_term){row, u, v, f * q[4] * su * sv};
+    }
 }
 
 /* Row 0 is the weight 2e, rows 1 .. 3 are -a; minor j has the sign (-1)^j. */
@@ -70,17 +69,14 @@ static double error_band(const pair *p)
     return 8.0 * DBL_EPSILON * (d + 2) + 8.0 * p->frame.noise;
 }
 
-/* A curve is a point if its tangent (columns k,1) vanishes. */
+/* A curve is a point if its tangent (minors x1 y1 z1) vanishes. */
 static ix_status check_point(ix_ctx *ctx, const pair *p, int i)
 {
-    double top, big = 0.0;
+    int sign, first = ix__lift_minor(0, 3, &sign);
+    ix_form tangent = ix__form_rows(&p->minors[i], first, 3);
+    double big;
 
-    for (int k = 0; k < 3; k++) {
-        ix_form row = ix__form_rows(&p->minors[i], ix__lift_pair(k, 3), 1);
-
-        IX_TRY(ix__form_bound(ctx, &row, &top));
-        big = fmax(big, top);
-    }
+    IX_TRY(ix__form_bound(ctx, &tangent, &big));
     if (!(big > p->band))
         return IX_FAIL(ctx, IX_EDOMAIN,
                        "curve %d is a point: its tangent is at most %.3g of "
@@ -140,19 +136,10 @@ static ix_status check_same(ix_ctx *ctx, const ix_mv *const *c, const pair *p,
                    reversed ? ", one reversed" : "", big, tol);
 }
 
-static double largest(size_t n, const double *x)
-{
-    double big = 0.0;
-
-    for (size_t i = 0; i < n; i++)
-        big = fmax(big, fabs(x[i]));
-    return big;
-}
-
 static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
                               const double *w, double size)
 {
-    double big = largest(n, w);
+    double big = ix__largest(n, w);
 
     if (!(big > p->band * size))
         return IX_FAIL(ctx, IX_EDOMAIN,
@@ -168,14 +155,15 @@ static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
 /* Positive sum of weights, largest weight in [1/2, 1), the user's frame. */
 static void finish(const ix_frame *frame, size_t n, double *pts)
 {
-    double sum = 0.0;
+    double sum = 0.0, f;
     int e;
 
     for (size_t i = 0; i < n; i++)
         sum += pts[i];
-    (void)frexp(largest(n, pts), &e);
+    (void)frexp(ix__largest(n, pts), &e);
+    f = ldexp(sum < 0.0 ? -1.0 : 1.0, -e);
     for (size_t i = 0; i < 4 * n; i++)
-        pts[i] = ldexp(sum < 0.0 ? -pts[i] : pts[i], -e);
+        pts[i] *= f;
     ix__frame_back(frame, n, pts, pts + n);
 }
 

@@ -18,44 +18,53 @@ ix_status ix__lift(ix_ctx *ctx, const ix_form *f, bool rational, ix_form *out)
     return ix__form_join(ctx, 3, list, out);
 }
 
+int ix__lift_minor(int i, int j, int *sign)
+{
+    *sign = i == 0 && j == 2 ? -1 : 1;
+    if (j < 3)
+        return 3 - i - j;
+    return i == 3 ? 9 : (j == 3 ? 3 : 6) + i;
+}
+
+/* Minors of L_U and L_V, group by group of columns. */
 static ix_status rational_tangents(ix_ctx *ctx, const ix_form *f, ix_form *out)
 {
-    ix_form lift, uv[2];
-    const ix_form *rows[2] = {&uv[0], &uv[1]};
+    ix_form lift, uv[2], x[2], one[2], q[2], part[4];
+    const ix_form *const px[2] = {&x[0], &x[1]}, *const pq[2] = {&q[0], &q[1]};
+    const ix_form *const p1[2] = {&one[0], &one[1]};
+    const ix_form *list[4] = {&part[0], &part[1], &part[2], &part[3]};
 
     IX_TRY(ix__lift(ctx, f, true, &lift));
     IX_TRY(ix__form_partials(ctx, &lift, 0, 1, uv));
-    return ix__form_all_minors(ctx, 2, rows, out);
+    for (int i = 0; i < 2; i++) {
+        x[i] = ix__form_rows(&uv[i], 0, 3);
+        one[i] = ix__form_rows(&uv[i], 3, 1);
+        q[i] = ix__form_rows(&uv[i], 4, 1);
+    }
+    IX_TRY(ix__form_cross(ctx, &x[0], &x[1], &part[0]));
+    IX_TRY(ix__form_bracket(ctx, px, p1, &part[1]));
+    IX_TRY(ix__form_bracket(ctx, px, pq, &part[2]));
+    IX_TRY(ix__form_bracket(ctx, p1, pq, &part[3]));
+    return ix__form_join(ctx, 4, list, out);
 }
 
 /* Minors of (p, 1, q) and (p', 0, q') with q = |p|^2, q' = 2 p.p'. */
 static ix_status affine_tangents(ix_ctx *ctx, const ix_form *p, ix_form *out)
 {
-    ix_form q, dp, dq, cross, xz, pq, r[10];
-    const ix_form *list[10];
+    ix_form dp, q, dq, minus, cross, pq;
+    const ix_form *const pp[2] = {p, &dp}, *const qq[2] = {&q, &dq};
+    const ix_form *list[4] = {&cross, &minus, &pq, &dq};
 
-    IX_TRY(ix__form_dot(ctx, p, p, &q));
     IX_TRY(ix__form_derive(ctx, p, 0, &dp));
     ix__form_times(&dp, ix__spans_mean(&p->dirs[0]));
+    IX_TRY(ix__form_dot(ctx, p, p, &q));
     IX_TRY(ix__form_dot(ctx, p, &dp, &dq));
     ix__form_times(&dq, 2.0);
     IX_TRY(ix__form_cross(ctx, p, &dp, &cross));
-    IX_TRY(ix__form_mul(ctx, p, &dq, &pq));
-    IX_TRY(ix__form_mul_add(ctx, &dp, -1, &q, &pq));
-    ix__form_times(&dp, -1.0); /* p 0 - 1 p' */
-    for (int k = 0; k < 3; k++) {
-        r[ix__lift_pair(k, 3)] = ix__form_rows(&dp, k, 1);
-        r[ix__lift_pair(k, 4)] = ix__form_rows(&pq, k, 1);
-    }
-    r[ix__lift_pair(0, 1)] = ix__form_rows(&cross, 2, 1);
-    r[ix__lift_pair(1, 2)] = ix__form_rows(&cross, 0, 1);
-    xz = ix__form_rows(&cross, 1, 1);
-    ix__form_times(&xz, -1.0);
-    r[ix__lift_pair(0, 2)] = xz;
-    r[ix__lift_pair(3, 4)] = dq;
-    for (int k = 0; k < 10; k++)
-        list[k] = &r[k];
-    return ix__form_join(ctx, 10, list, out);
+    IX_TRY(ix__form_bracket(ctx, pp, qq, &pq));
+    IX_TRY(ix__form_copy(ctx, &dp, &minus)); /* p 0 - 1 p' */
+    ix__form_times(&minus, -1.0);
+    return ix__form_join(ctx, 4, list, out);
 }
 
 ix_status ix__lift_tangents(ix_ctx *ctx, const ix_form *f, bool rational,

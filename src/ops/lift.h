@@ -14,18 +14,15 @@
 ix_status ix__lift(ix_ctx *ctx, const ix_form *f, bool rational,
                    ix_form *out) IX_MUST_CHECK;
 
-/* The ten 2 x 2 minors of the lift of a space curve and its derivative, rows
- * in the order of ix__lift_pair. Degree 3d - 1 for polynomial curves (minors
- * of L, h0 L'), 4d - 2 for rational ones (minors of L_U, L_V); continuity one
- * less than the curve's. */
+/* The ten 2 x 2 minors of the lift of a space curve and its derivative, in the
+ * order of ix__lift_minor. Degree 3d - 1 for polynomial curves (minors of L,
+ * h0 L'), 4d - 2 for rational ones (minors of L_U, L_V); continuity one less
+ * than the curve's. */
 ix_status ix__lift_tangents(ix_ctx *ctx, const ix_form *f, bool rational,
                             ix_form *out) IX_MUST_CHECK;
 
-/* Row of the minor on columns i < j of x, y, z, 1, q: xy xz x1 xq yz y1 yq z1
- * zq 1q. */
-static inline int ix__lift_pair(int i, int j)
-{
-    return i * (9 - i) / 2 + j - i - 1;
-}
+/* The minor on columns i < j of (x, y, z, 1, q): its row among yz zx xy x1 y1
+ * z1 xq yq zq 1q, and the sign that it has there. */
+int ix__lift_minor(int i, int j, int *sign);
 
 #endif

@@ -141,6 +141,14 @@ ix_status ix__form_add(ix_ctx *ctx, const ix_form *a, int sign,
 /* Row by row; a form of one row multiplies all rows of the other. */
 ix_status ix__form_mul(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                        ix_form *out) IX_MUST_CHECK;
+/* Row r = sum of sign a_i b_j over its terms: every product of vectors is one
+ * of these, and is best computed in one go. Terms are sorted by row. */
+typedef struct {
+    int row, a, b, sign; /* sign 1 or -1 */
+} ix_form_term;
+ix_status ix__form_bilinear(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                            int nrows, int nterms, const ix_form_term *terms,
+                            ix_form *out) IX_MUST_CHECK;
 /* acc += sign a b. acc was made by an operation above; its degrees grow if
  * need be. */
 ix_status ix__form_mul_add(ix_ctx *ctx, const ix_form *a, int sign,
@@ -184,6 +192,10 @@ ix_status ix__form_dot(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 /* Three rows each (two: the third is 0). */
 ix_status ix__form_cross(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                          ix_form *out) IX_MUST_CHECK;
+/* a_0 b_1 - a_1 b_0: the minors of two pairs, rows as in ix__form_mul. */
+ix_status ix__form_bracket(ix_ctx *ctx, const ix_form *const a[2],
+                           const ix_form *const b[2],
+                           ix_form *out) IX_MUST_CHECK;
 /* det of n forms with n rows each. */
 ix_status ix__form_det(ix_ctx *ctx, int n, const ix_form *const *m,
                        ix_form *out) IX_MUST_CHECK;
@@ -198,6 +210,9 @@ ix_status ix__form_minors(ix_ctx *ctx, int n, const ix_form *const *m,
                           ix_form *out) IX_MUST_CHECK;
 
 /* --- asking --------------------------------------------------------------- */
+
+/* The largest |x[i]|, 0 for n = 0. */
+double ix__largest(size_t n, const double *x);
 
 /* All rows at t[ndirs] (inside the domain): out[nrows]. */
 void ix__form_eval(const ix_form *f, const double *t, double *out);

@@ -1,180 +1,149 @@
-/* form_det.c - forms as vectors: dot, cross, determinants and minors. Minors
- * are built row by row of the matrix over all sets of columns, each from the
- * minors one smaller, so that none is computed twice. */
-#include <string.h>
-
+/* form_det.c - forms as vectors: dot, cross, determinants and minors. Each is
+ * a bilinear map; minors go row by row of the matrix over all sets of columns,
+ * each from the minors one smaller, so that none is computed twice. */
 #include "sym/form_impl.h"
 
 ix_status ix__form_dot(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                        ix_form *out)
 {
-    ix_form r = {0};
+    ix_form_term *t;
 
-    for (int i = 0; i < a->nrows; i++) {
-        ix_form x = ix__form_rows(a, i, 1), y = ix__form_rows(b, i, 1);
-
-        if (i == 0)
-            IX_TRY(ix__form_mul(ctx, &x, &y, &r));
-        else
-            IX_TRY(ix__form_mul_add(ctx, &x, 1, &y, &r));
-    }
-    *out = r;
-    return IX_OK;
-}
-
-/* a_i b_j - a_j b_i. */
-static ix_status minor2(ix_ctx *ctx, const ix_form *a, const ix_form *b, int i,
-                        int j, ix_form *out)
-{
-    ix_form ai = ix__form_rows(a, i, 1), aj = ix__form_rows(a, j, 1);
-    ix_form bi = ix__form_rows(b, i, 1), bj = ix__form_rows(b, j, 1);
-
-    IX_TRY(ix__form_mul(ctx, &ai, &bj, out));
-    return ix__form_mul_add(ctx, &aj, -1, &bi, out);
+    IX_SCRATCH(ctx, t, a->nrows);
+    for (int i = 0; i < a->nrows; i++)
+        t[i] = (ix_form_term){0, i, i, 1};
+    return ix__form_bilinear(ctx, a, b, 1, a->nrows, t, out);
 }
 
 ix_status ix__form_cross(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                          ix_form *out)
 {
-    const ix_form *parts[3];
-    ix_form c[3];
-    double zero[2] = {0.0, 0.0};
+    static const ix_form_term t[6] = {{0, 1, 2, 1}, {0, 2, 1, -1},
+                                      {1, 2, 0, 1}, {1, 0, 2, -1},
+                                      {2, 0, 1, 1}, {2, 1, 0, -1}};
 
-    IX_TRY(minor2(ctx, a, b, 0, 1, &c[2]));
-    if (a->nrows < 3) {
-        IX_TRY(ix__form_constant(ctx, a, 2, zero, &c[0]));
-        parts[0] = &c[0];
-        parts[1] = &c[2];
-        return ix__form_join(ctx, 2, parts, out);
-    }
-    IX_TRY(minor2(ctx, a, b, 1, 2, &c[0]));
-    IX_TRY(minor2(ctx, a, b, 2, 0, &c[1]));
-    for (int i = 0; i < 3; i++)
-        parts[i] = &c[i];
-    return ix__form_join(ctx, 3, parts, out);
+    if (a->nrows < 3) /* rows 0 and 1 are empty sums */
+        return ix__form_bilinear(ctx, a, b, 3, 2, t + 4, out);
+    return ix__form_bilinear(ctx, a, b, 3, 6, t, out);
+}
+
+ix_status ix__form_bracket(ix_ctx *ctx, const ix_form *const a[2],
+                           const ix_form *const b[2], ix_form *out)
+{
+    IX_TRY(ix__form_mul(ctx, a[0], b[1], out));
+    return ix__form_mul_add(ctx, a[1], -1, b[0], out);
 }
 
 /* --- minors ------------------------------------------------------------------
  */
 
-/* Minors of the first k rows are indexed by the bit set of their columns. */
+/* Minors of the first rows of a matrix: one row of f for each set of columns,
+ * given as bits; index tells which. */
 typedef struct {
-    int cols;
-    const ix_form **minor; /* [2^cols]; NULL: not of this size */
-} minor_table;
+    int cols, size; /* of the matrix; columns in a set */
+    int *index;     /* [2^cols] */
+    ix_form f;
+} minor_level;
 
-static int bits(unsigned set)
+/* The sets of n columns in lexicographic order of their lists. */
+static int list_sets(int cols, int n, unsigned *sets)
 {
-    return __builtin_popcount(set);
+    int list[IX_MAX_COORDS + 1], count = 0, i;
+
+    for (i = 0; i < n; i++)
+        list[i] = i;
+    for (;;) {
+        sets[count] = 0;
+        for (i = 0; i < n; i++)
+            sets[count] |= 1u << list[i];
+        count++;
+        for (i = n - 1; i >= 0 && list[i] == cols - n + i; i--)
+            ;
+        if (i < 0)
+            return count;
+        for (int v = list[i] + 1; i < n; i++)
+            list[i] = v++;
+    }
 }
 
-/* The minor on the columns of set, expanded along its last row: the entry of
- * the last column counts plus. */
-static ix_status expand(ix_ctx *ctx, const minor_table *t, const ix_form *row,
-                        unsigned set, ix_form *out)
+/* One row more: minors on the given sets, each expanded along the new row,
+ * whose last column counts plus; sign multiplies all of set i. */
+static ix_status add_row(ix_ctx *ctx, minor_level *m, const ix_form *row,
+                         int nsets, const unsigned *sets, const int *sign)
 {
-    bool first = true;
+    int n = 0, size = m->size + 1;
+    ix_form_term *t;
 
-    for (int c = t->cols - 1, sign = 1; c >= 0; c--) {
-        ix_form x = ix__form_rows(row, c, 1);
+    IX_SCRATCH(ctx, t, (size_t)nsets * (size_t)size);
+    for (int i = 0; i < nsets; i++) {
+        int s = sign ? sign[i] : 1;
 
-        if (!(set >> c & 1u))
-            continue;
-        if (first)
-            IX_TRY(ix__form_mul(ctx, t->minor[set & ~(1u << c)], &x, out));
-        else
-            IX_TRY(ix__form_mul_add(ctx, t->minor[set & ~(1u << c)], sign, &x,
-                                    out));
-        first = false;
-        sign = -sign;
+        for (int c = m->cols - 1; c >= 0; c--) {
+            if (!(sets[i] >> c & 1u))
+                continue;
+            t[n++] = (ix_form_term){i, m->index[sets[i] & ~(1u << c)], c, s};
+            s = -s;
+        }
     }
+    for (int i = 0; i < nsets; i++)
+        m->index[sets[i]] = i;
+    m->size = size;
+    return ix__form_bilinear(ctx, &m->f, row, nsets, n, t, &m->f);
+}
+
+/* All minors of the first n rows. */
+static ix_status all_minors(ix_ctx *ctx, int n, const ix_form *const *m,
+                            minor_level *out)
+{
+    int cols = m[0]->nrows;
+    unsigned *sets;
+
+    *out = (minor_level){.cols = cols, .size = 1, .f = *m[0]};
+    IX_SCRATCH(ctx, out->index, (size_t)1 << cols);
+    IX_SCRATCH(ctx, sets, (size_t)1 << cols);
+    for (int c = 0; c < cols; c++)
+        out->index[1u << c] = c;
+    for (int k = 2; k <= n; k++)
+        IX_TRY(
+            add_row(ctx, out, m[k - 1], list_sets(cols, k, sets), sets, NULL));
     return IX_OK;
 }
 
-static ix_status minors_of_rows(ix_ctx *ctx, int n, const ix_form *const *m,
-                                minor_table *t)
+ix_status ix__form_all_minors(ix_ctx *ctx, int n, const ix_form *const *m,
+                              ix_form *out)
 {
-    unsigned all;
+    minor_level level;
 
-    t->cols = m[0]->nrows;
-    all = 1u << t->cols;
-    IX_SCRATCH_ZERO(ctx, t->minor, all);
-    for (int k = 1; k <= n; k++)
-        for (unsigned set = 1; set < all; set++) {
-            ix_form *f;
-
-            if (bits(set) != k)
-                continue;
-            IX_SCRATCH(ctx, f, 1);
-            if (k == 1)
-                *f = ix__form_rows(m[0], __builtin_ctz(set), 1);
-            else
-                IX_TRY(expand(ctx, t, m[k - 1], set, f));
-            t->minor[set] = f;
-        }
+    IX_TRY(all_minors(ctx, n, m, &level));
+    *out = level.f;
     return IX_OK;
 }
 
 ix_status ix__form_det(ix_ctx *ctx, int n, const ix_form *const *m,
                        ix_form *out)
 {
-    minor_table t;
-
-    IX_TRY(minors_of_rows(ctx, n, m, &t));
-    return ix__form_copy(ctx, t.minor[(1u << n) - 1u], out);
-}
-
-/* The next list of n increasing columns in lexicographic order. */
-static bool next_set(int cols, int n, int *list)
-{
-    int i = n - 1;
-
-    while (i >= 0 && list[i] == cols - n + i)
-        i--;
-    if (i < 0)
-        return false;
-    list[i]++;
-    for (int k = i + 1; k < n; k++)
-        list[k] = list[k - 1] + 1;
-    return true;
-}
-
-ix_status ix__form_all_minors(ix_ctx *ctx, int n, const ix_form *const *m,
-                              ix_form *out)
-{
-    int list[IX_MAX_COORDS], count = 0;
-    const ix_form **parts;
-    minor_table t;
-
-    IX_TRY(minors_of_rows(ctx, n, m, &t));
-    IX_SCRATCH(ctx, parts, (size_t)1 << t.cols);
-    for (int i = 0; i < n; i++)
-        list[i] = i;
-    do {
-        unsigned set = 0;
-
-        for (int i = 0; i < n; i++)
-            set |= 1u << list[i];
-        parts[count++] = t.minor[set];
-    } while (next_set(t.cols, n, list));
-    return ix__form_join(ctx, count, parts, out);
+    return ix__form_all_minors(ctx, n, m, out);
 }
 
 ix_status ix__form_minors(ix_ctx *ctx, int n, const ix_form *const *m,
                           ix_form *out)
 {
-    const ix_form *parts[IX_MAX_COORDS];
-    unsigned all = (1u << (n + 1)) - 1u;
-    minor_table t;
+    static const ix_form_term swap[2] = {{0, 1, 0, 1}, {1, 0, 0, -1}};
+    unsigned sets[IX_MAX_COORDS];
+    int sign[IX_MAX_COORDS];
+    double one = 1.0;
+    minor_level level;
+    ix_form unit;
 
-    IX_TRY(minors_of_rows(ctx, n, m, &t));
-    for (int j = 0; j <= n; j++)
-        parts[j] = t.minor[all & ~(1u << j)];
-    IX_TRY(ix__form_join(ctx, n + 1, parts, out));
-    for (int j = 1; j <= n; j += 2) {
-        ix_form row = ix__form_rows(out, j, 1);
-
-        ix__form_times(&row, -1.0);
+    if (n == 1) {
+        IX_TRY(ix__form_constant(ctx, m[0], 1, &one, &unit));
+        return ix__form_bilinear(ctx, m[0], &unit, 2, 2, swap, out);
     }
+    IX_TRY(all_minors(ctx, n - 1, m, &level));
+    for (int j = 0; j <= n; j++) {
+        sets[j] = ((1u << (n + 1)) - 1u) & ~(1u << j);
+        sign[j] = j % 2 ? -1 : 1;
+    }
+    IX_TRY(add_row(ctx, &level, m[n - 1], n + 1, sets, sign));
+    *out = level.f;
     return IX_OK;
 }

@@ -90,16 +90,13 @@ ix_status ix__form_derive(ix_ctx *ctx, const ix_form *f, int dir, ix_form *out)
 ix_status ix__form_jacobian(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                             int dir, ix_form *out)
 {
-    ix_form au, av, bu, bv, r;
+    ix_form pa[2], pb[2];
+    const ix_form *const la[2] = {&pa[0], &pa[1]}, *const lb[2] = {&pb[0],
+                                                                   &pb[1]};
 
-    IX_TRY(ix__form_partial(ctx, a, dir, IX__U, &au));
-    IX_TRY(ix__form_partial(ctx, a, dir, IX__V, &av));
-    IX_TRY(ix__form_partial(ctx, b, dir, IX__U, &bu));
-    IX_TRY(ix__form_partial(ctx, b, dir, IX__V, &bv));
-    IX_TRY(ix__form_mul(ctx, &au, &bv, &r));
-    IX_TRY(ix__form_mul_add(ctx, &av, -1, &bu, &r));
-    *out = r;
-    return IX_OK;
+    IX_TRY(ix__form_partials(ctx, a, dir, 1, pa));
+    IX_TRY(ix__form_partials(ctx, b, dir, 1, pb));
+    return ix__form_bracket(ctx, la, lb, out);
 }
 
 /* --- integrals
@@ -290,14 +287,20 @@ void ix__form_eval(const ix_form *f, const double *t, double *out)
                        f->exp);
 }
 
+double ix__largest(size_t n, const double *x)
+{
+    double big = 0.0;
+
+    for (size_t i = 0; i < n; i++)
+        big = fabs(x[i]) > big ? fabs(x[i]) : big;
+    return big;
+}
+
 ix_status ix__form_bound(ix_ctx *ctx, const ix_form *f, double *out)
 {
     const double *x;
-    double big = 0.0;
 
     IX_TRY(ix__form_bernstein(ctx, f, &x));
-    for (size_t i = 0; i < (size_t)f->nrows * f->n; i++)
-        big = fmax(big, fabs(x[i]));
-    *out = big;
+    *out = ix__largest((size_t)f->nrows * f->n, x);
     return IX_OK;
 }

@@ -133,13 +133,9 @@ static ix_status load_dir(ix_ctx *ctx, int n, operand *op, int dir,
 
 static int exponent_of(size_t n, const double *x)
 {
-    double big = 0.0;
     int e = 0;
 
-    for (size_t i = 0; i < n; i++)
-        big = fmax(big, fabs(x[i]));
-    if (big > 0.0)
-        (void)frexp(big, &e);
+    (void)frexp(ix__largest(n, x), &e);
     return e;
 }
 
@@ -149,13 +145,13 @@ static ix_status framed(ix_ctx *ctx, const ix_mv *m, const ix_frame *f,
 {
     const double *w = ix_mv_weights(m);
     int ew = w ? exponent_of(m->npts, w) : 0;
-    double *p, *x;
+    double fw = ldexp(1.0, -ew), fx = ldexp(1.0, -f->exp - ew), *p, *x;
 
     IX_SCRATCH(ctx, p, (size_t)m->naxes * m->npts);
     *out = x = p;
     if (w) {
         for (size_t i = 0; i < m->npts; i++)
-            x[i] = ldexp(w[i], -ew);
+            x[i] = w[i] * fw;
         x += m->npts;
     }
     for (int k = 0; k < m->ncoords; k++, x += m->npts) {
@@ -163,7 +159,7 @@ static ix_status framed(ix_ctx *ctx, const ix_mv *m, const ix_frame *f,
         double shift = k < f->ncoords ? f->shift[k] : 0.0;
 
         for (size_t i = 0; i < m->npts; i++)
-            x[i] = ldexp(fma(-shift, w ? w[i] : 1.0, c[i]), -f->exp - ew);
+            x[i] = fma(-shift, w ? w[i] : 1.0, c[i]) * fx;
     }
     return IX_OK;
 }

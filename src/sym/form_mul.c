@@ -25,13 +25,46 @@ typedef struct {
 typedef struct {
     patch_map a, b, out;
     ix_form *res;
-    ix__into into;
-    int span_len;    /* of a placed patch of b */
-    size_t npatches; /* of one row */
+    const ix_form_term *terms;
+    const int *first; /* [rows of res + 1] */
+    bool add;         /* to what is there */
+    bool swapped;     /* a and b, against the terms */
+    int span_len;     /* of a placed patch of b */
+    size_t npatches;  /* of one row */
     size_t nchunks;
     size_t room; /* doubles for one chunk */
     double *work;
 } product;
+
+/* Item i of all: chunk c of the patches [lo, hi) of a row. */
+typedef struct {
+    size_t row, lo, hi;
+    double *work;
+} chunk;
+
+static chunk chunk_of(const product *w, size_t i)
+{
+    size_t c = i % w->nchunks;
+
+    return (chunk){i / w->nchunks, w->npatches * c / w->nchunks,
+                   w->npatches * (c + 1) / w->nchunks, w->work + i * w->room};
+}
+
+/* How term k of a row meets what is there. */
+static ix__into into_of(const product *w, const chunk *c, int k)
+{
+    if (!w->add && k == w->first[c->row] && w->terms[k].sign > 0)
+        return IX__SET;
+    return w->terms[k].sign > 0 ? IX__ADD : IX__SUB;
+}
+
+/* Whether zeros must come first: no term, or the first one is subtracted. */
+static bool starts_empty(const product *w, const chunk *c)
+{
+    int k = w->first[c->row];
+
+    return !w->add && (k == w->first[c->row + 1] || !(w->terms[k].sign > 0));
+}
 
 /* --- one direction ---------------------------------------------------------
  */
@@ -41,18 +74,22 @@ static void mul_spans(void *arg, size_t begin, size_t end)
     const product *w = arg;
     const ix_form *a = w->a.f, *b = w->b.f;
     int p = a->dirs[0].degree, q = b->dirs[0].degree;
-    size_t ns = (size_t)a->dirs[0].nspans;
 
     for (size_t i = begin; i < end; i++) {
-        size_t row = i / w->nchunks, c = i % w->nchunks;
-        size_t lo = ns * c / w->nchunks, hi = ns * (c + 1) / w->nchunks;
-        size_t ra = a->nrows > 1 ? row : 0, rb = b->nrows > 1 ? row : 0;
+        chunk c = chunk_of(w, i);
+        double *out = w->res->c + c.row * w->res->n +
+                      c.lo * (size_t)(p + q + 1);
 
-        ix__bern_conv_spans(hi - lo, p, a->c + ra * a->n + lo * (size_t)(p + 1),
-                            q, b->c + rb * b->n + lo * (size_t)(q + 1), w->into,
-                            w->work + i * w->room,
-                            w->res->c + row * w->res->n +
-                                lo * (size_t)(p + q + 1));
+        if (starts_empty(w, &c))
+            memset(out, 0, (c.hi - c.lo) * (size_t)(p + q + 1) * sizeof *out);
+        for (int k = w->first[c.row]; k < w->first[c.row + 1]; k++) {
+            size_t ra = (size_t)w->terms[k].a, rb = (size_t)w->terms[k].b;
+
+            ix__bern_conv_spans(c.hi - c.lo, p,
+                                a->c + ra * a->n + c.lo * (size_t)(p + 1), q,
+                                b->c + rb * b->n + c.lo * (size_t)(q + 1),
+                                into_of(w, &c, k), c.work, out);
+        }
     }
 }
 
@@ -75,32 +112,45 @@ static size_t patch_base(const ix_form *f, size_t patch)
     return base;
 }
 
-static void mul_patch(const product *w, size_t row, size_t patch, double *work)
+/* The product of one term on one patch, left in the returned part of work. */
+static const double *mul_term(const product *w, const ix_form_term *t,
+                              size_t patch, double *work)
 {
     const ix_form *a = w->a.f, *b = w->b.f;
-    const double *pa = a->c + (a->nrows > 1 ? row : 0) * a->n;
-    const double *pb = b->c + (b->nrows > 1 ? row : 0) * b->n;
-    double *po = w->res->c + row * w->res->n + patch_base(w->res, patch);
+    size_t ra = (size_t)(w->swapped ? t->b : t->a);
+    size_t rb = (size_t)(w->swapped ? t->a : t->b);
+    const double *pa = a->c + ra * a->n + patch_base(a, patch);
+    const double *pb = b->c + rb * b->n + patch_base(b, patch);
     double *va = work, *vb = va + w->a.count + IX__BERN_PAD;
     double *vo = vb + w->span_len + IX__BERN_PAD;
 
-    pa += patch_base(a, patch);
-    pb += patch_base(b, patch);
     for (size_t k = 0; k < w->a.count; k++)
         va[k] = pa[w->a.gather[k]];
     for (size_t k = 0; k < w->b.count; k++)
         vb[w->b.place[k]] = pb[w->b.gather[k]];
     ix__bern_conv_sparse((int)w->a.count, va, w->a.place, w->span_len, vb,
                          (int)w->out.count, vo);
-    if (w->into == IX__SET)
-        for (size_t k = 0; k < w->out.count; k++)
-            po[w->out.gather[k]] = vo[k];
-    else if (w->into == IX__ADD)
-        for (size_t k = 0; k < w->out.count; k++)
-            po[w->out.gather[k]] += vo[k];
+    return vo;
+}
+
+static void scatter(const patch_map *m, const double *v, ix__into into,
+                    double *out)
+{
+    if (into == IX__SET)
+        for (size_t k = 0; k < m->count; k++)
+            out[m->gather[k]] = v[k];
+    else if (into == IX__ADD)
+        for (size_t k = 0; k < m->count; k++)
+            out[m->gather[k]] += v[k];
     else
-        for (size_t k = 0; k < w->out.count; k++)
-            po[w->out.gather[k]] -= vo[k];
+        for (size_t k = 0; k < m->count; k++)
+            out[m->gather[k]] -= v[k];
+}
+
+static void zero_patch(const patch_map *m, double *out)
+{
+    for (size_t k = 0; k < m->count; k++)
+        out[m->gather[k]] = 0.0;
 }
 
 static void mul_patches(void *arg, size_t begin, size_t end)
@@ -108,13 +158,18 @@ static void mul_patches(void *arg, size_t begin, size_t end)
     const product *w = arg;
 
     for (size_t i = begin; i < end; i++) {
-        size_t row = i / w->nchunks, c = i % w->nchunks;
-        size_t lo = w->npatches * c / w->nchunks;
-        size_t hi = w->npatches * (c + 1) / w->nchunks;
+        chunk c = chunk_of(w, i);
 
-        memset(w->work + i * w->room, 0, w->room * sizeof *w->work);
-        for (size_t p = lo; p < hi; p++)
-            mul_patch(w, row, p, w->work + i * w->room);
+        memset(c.work, 0, w->room * sizeof *c.work);
+        for (size_t p = c.lo; p < c.hi; p++) {
+            double *out = w->res->c + c.row * w->res->n + patch_base(w->res, p);
+
+            if (starts_empty(w, &c))
+                zero_patch(&w->out, out);
+            for (int k = w->first[c.row]; k < w->first[c.row + 1]; k++)
+                scatter(&w->out, mul_term(w, &w->terms[k], p, c.work),
+                        into_of(w, &c, k), out);
+        }
     }
 }
 
@@ -165,6 +220,7 @@ static ix_status map_patches(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 
         w->a = w->b;
         w->b = t;
+        w->swapped = true;
     }
     w->span_len = w->b.place[w->b.count - 1] + 1;
     w->room = w->a.count + (size_t)w->span_len + 3 * IX__BERN_PAD +
@@ -172,7 +228,8 @@ static ix_status map_patches(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     return IX_OK;
 }
 
-/* --- both --------------------------------------------------------------------
+/* --- any number
+ * ----------------------------------------------------------------
  */
 
 static size_t chunks_of(size_t n, double ns)
@@ -184,32 +241,52 @@ static size_t chunks_of(size_t n, double ns)
     return c < 2.0 ? 1 : (size_t)c < n ? (size_t)c : n;
 }
 
-/* res (=, +=, -=) a b; res has the degrees of the product. */
-static ix_status multiply(ix_ctx *ctx, const ix_form *a, const ix_form *b,
-                          ix__into into, ix_form *res)
+/* The terms of each row: terms[first[r]] .. terms[first[r + 1] - 1]. */
+static ix_status index_terms(ix_ctx *ctx, int nrows, int nterms,
+                             const ix_form_term *terms, const int **out)
 {
-    product w = {.res = res, .into = into, .npatches = 1};
-    double ns = 1.0; /* of one patch: a third of its products, and some */
+    int *first, k = 0;
+
+    IX_SCRATCH(ctx, first, nrows + 1);
+    for (int r = 0; r <= nrows; r++) {
+        while (k < nterms && terms[k].row < r)
+            k++;
+        first[r] = k;
+    }
+    *out = first;
+    return IX_OK;
+}
+
+/* Cost of one term on one patch: a third of its products, and some. */
+static double patch_cost(const ix_form *a, const ix_form *b)
+{
+    double ns = 1.0;
+
+    for (int i = 0; i < a->ndirs; i++)
+        ns *= (a->dirs[i].degree + 1.0) * (b->dirs[i].degree + 1.0);
+    return ns / 3 + 10;
+}
+
+/* The rows of res, of the product's degrees, from terms sorted by row. */
+static ix_status multiply(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                          int nterms, const ix_form_term *terms, bool add,
+                          ix_form *res)
+{
+    product w = {.res = res, .terms = terms, .add = add, .npatches = 1};
+    int p = a->dirs[0].degree, q = b->dirs[0].degree;
+    double ns = patch_cost(a, b) * nterms / res->nrows;
     size_t items;
 
-    assert(a->nrows == res->nrows || a->nrows == 1);
-    assert(b->nrows == res->nrows || b->nrows == 1);
-    for (int i = 0; i < a->ndirs; i++) {
+    for (int i = 0; i < a->ndirs; i++)
         w.npatches *= (size_t)a->dirs[i].nspans;
-        ns *= (a->dirs[i].degree + 1.0) * (b->dirs[i].degree + 1.0);
-    }
-    ns = ns / 3 + 10;
     w.nchunks = chunks_of(w.npatches, ns);
     items = w.nchunks * (size_t)res->nrows;
-    if (a->ndirs == 1) {
-        int p = a->dirs[0].degree, q = b->dirs[0].degree;
-
-        w.a.f = a;
-        w.b.f = b;
-        w.room = (size_t)(p > q ? p : q) + 1 + 2 * IX__BERN_PAD;
-    } else {
+    IX_TRY(index_terms(ctx, res->nrows, nterms, terms, &w.first));
+    w.a.f = a;
+    w.b.f = b;
+    w.room = (size_t)(p > q ? p : q) + 1 + 2 * IX__BERN_PAD;
+    if (a->ndirs > 1)
         IX_TRY(map_patches(ctx, a, b, &w));
-    }
     IX_SCRATCH(ctx, w.work, items * w.room);
     ix__parallel(ctx, items, ns * (double)w.npatches / (double)w.nchunks,
                  a->ndirs == 1 ? mul_spans : mul_patches, &w);
@@ -225,20 +302,47 @@ static ix_status product_dirs(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     return IX_OK;
 }
 
-ix_status ix__form_mul(ix_ctx *ctx, const ix_form *a, const ix_form *b,
-                       ix_form *out)
+ix_status ix__form_bilinear(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                            int nrows, int nterms, const ix_form_term *terms,
+                            ix_form *out)
 {
     ix_spans dirs[IX_MAX_DIRS];
     ix_form r;
 
     IX_TRY(product_dirs(ctx, a, b, dirs));
-    IX_TRY(ix__form_alloc(ctx, a->ndirs, dirs,
-                          a->nrows > b->nrows ? a->nrows : b->nrows, &r));
+    IX_TRY(ix__form_alloc(ctx, a->ndirs, dirs, nrows, &r));
     r.bezier = a->bezier & b->bezier;
     r.exp = a->exp + b->exp;
-    IX_TRY(multiply(ctx, a, b, IX__SET, &r));
+    IX_TRY(multiply(ctx, a, b, nterms, terms, false, &r));
     *out = r;
     return IX_OK;
+}
+
+/* Row r of the one times row r of the other, or its only row. */
+static ix_status row_terms(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                           int sign, int *n, const ix_form_term **out)
+{
+    ix_form_term *t;
+
+    *n = a->nrows > b->nrows ? a->nrows : b->nrows;
+    assert(a->nrows == *n || a->nrows == 1);
+    assert(b->nrows == *n || b->nrows == 1);
+    IX_SCRATCH(ctx, t, *n);
+    for (int r = 0; r < *n; r++)
+        t[r] = (ix_form_term){r, a->nrows > 1 ? r : 0, b->nrows > 1 ? r : 0,
+                              sign};
+    *out = t;
+    return IX_OK;
+}
+
+ix_status ix__form_mul(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                       ix_form *out)
+{
+    const ix_form_term *t;
+    int n;
+
+    IX_TRY(row_terms(ctx, a, b, 1, &n, &t));
+    return ix__form_bilinear(ctx, a, b, n, n, t, out);
 }
 
 /* Whether a product with these directions can be added where it is. */
@@ -254,7 +358,9 @@ ix_status ix__form_mul_add(ix_ctx *ctx, const ix_form *a, int sign,
                            const ix_form *b, ix_form *acc)
 {
     ix_spans dirs[IX_MAX_DIRS];
+    const ix_form_term *terms;
     ix_form t, sum;
+    int n;
 
     IX_TRY(product_dirs(ctx, a, b, dirs));
     if (!fits(dirs, a->exp + b->exp, acc)) {
@@ -263,7 +369,8 @@ ix_status ix__form_mul_add(ix_ctx *ctx, const ix_form *a, int sign,
         *acc = sum;
         return IX_OK;
     }
-    IX_TRY(multiply(ctx, a, b, sign > 0 ? IX__ADD : IX__SUB, acc));
+    IX_TRY(row_terms(ctx, a, b, sign, &n, &terms));
+    IX_TRY(multiply(ctx, a, b, n, terms, true, acc));
     acc->bezier &= a->bezier & b->bezier;
     return ix__form_narrow(ctx, dirs, acc);
 }

@@ -20,8 +20,8 @@ static bool grow(const ix_mv *m, int nc, double *lo, double *hi)
             x = w ? x / w[i] : x;
             if (!isfinite(x))
                 continue;
-            lo[k] = fmin(lo[k], x);
-            hi[k] = fmax(hi[k], x);
+            lo[k] = x < lo[k] ? x : lo[k];
+            hi[k] = x > hi[k] ? x : hi[k];
             any = true;
         }
     }
@@ -58,7 +58,9 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
 
 void ix__frame_back(const ix_frame *f, size_t n, const double *w, double *x)
 {
+    const double scale = ldexp(1.0, f->exp);
+
     for (int k = 0; k < f->ncoords; k++, x += n)
         for (size_t i = 0; i < n; i++)
-            x[i] = ldexp(x[i], f->exp) + f->shift[k] * (w ? w[i] : 1.0);
+            x[i] = x[i] * scale + f->shift[k] * (w ? w[i] : 1.0);
 }

@@ -49,25 +49,24 @@ static void write_lines(void *arg, size_t begin, size_t end)
         write_line(arg, i);
 }
 
-static double largest(size_t n, const double *x)
+/* Largest of each row of a factor, then of the products. */
+static ix_status term_sizes(ix_ctx *ctx, const grid *g, double *size)
 {
-    double big = 0.0;
+    double *u, *v;
 
-    for (size_t i = 0; i < n; i++)
-        big = fmax(big, fabs(x[i]));
-    return big;
-}
-
-static void term_sizes(const grid *g, double *size)
-{
+    IX_SCRATCH(ctx, u, g->f->u->nrows);
+    IX_SCRATCH(ctx, v, g->f->v->nrows);
+    for (int i = 0; i < g->f->u->nrows; i++)
+        u[i] = ix__largest(g->nu, g->u + (size_t)i * g->nu);
+    for (int i = 0; i < g->f->v->nrows; i++)
+        v[i] = ix__largest(g->nv, g->v + (size_t)i * g->nv);
     memset(size, 0, (size_t)g->f->nrows * sizeof *size);
     for (int k = 0; k < g->f->nterms; k++) {
         const ix_outer_term *t = &g->f->terms[k];
 
-        size[t->row] += fabs(t->coef) *
-                        largest(g->nu, g->u + (size_t)t->u * g->nu) *
-                        largest(g->nv, g->v + (size_t)t->v * g->nv);
+        size[t->row] += fabs(t->coef) * u[t->u] * v[t->v];
     }
+    return IX_OK;
 }
 
 static size_t points_of(int n, const ix_dir *dirs)
@@ -107,7 +106,7 @@ ix_status ix__outer_points(ix_ctx *ctx, const ix_outer *f, const ix_sym_opts *o,
     ix__parallel(ctx, lines, 10.0 + 0.2 * (double)g.nu * f->nterms / f->nrows,
                  write_lines, &g);
     if (size)
-        term_sizes(&g, size);
+        IX_TRY(term_sizes(ctx, &g, size));
     *pts = g.out;
     return ix__poll(ctx);
 }
