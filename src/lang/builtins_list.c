@@ -99,9 +99,7 @@ static ix_status b_setname(ix_call *c)
     IX_TRY(element(c, 0, &o));
     if (!is_variable(c, o) || ix__name_cmp(o->name, name) == 0)
         return ix__obj_set_name(c->ctx, o, name);
-    /* A global under a new name: the old one goes. */
-    IX_TRY(ix__var_set(c->in, name, o));
-    return ix__var_free(c->in, o->name);
+    return ix__var_rename(c->in, o->name, name);
 }
 
 /* --- SIZEOF

@@ -55,6 +55,10 @@ ix_status ix__var_set(ix_interp *in, const char *name,
 /* A numeric system variable such as RESOLUTION, or dflt. */
 double ix__var_num(ix_interp *in, const char *name, double dflt);
 ix_status ix__var_free(ix_interp *in, const char *name) IX_MUST_CHECK;
+/* The global variable from is called to from now on; its box stays the same.
+ * A variable that had this name is gone. */
+ix_status ix__var_rename(ix_interp *in, const char *from,
+                         const char *to) IX_MUST_CHECK;
 
 /* States of IRITSTATE that primitives read. */
 typedef struct {

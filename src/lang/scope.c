@@ -292,6 +292,23 @@ ix_status ix__var_free(ix_interp *in, const char *name)
     return IX_OK;
 }
 
+ix_status ix__var_rename(ix_interp *in, const char *from, const char *to)
+{
+    ix__sym *s = ix__sym_find(in, from), *t = ix__sym_get(in, to);
+
+    if (!t)
+        return IX_ENOMEM;
+    if (!s || !s->box)
+        return IX_FAIL(in->ctx, IX_EARG, "there is no variable %s", from);
+    IX_TRY(ix__obj_set_name(in->ctx, s->box, t->name));
+    if (s == t)
+        return IX_OK;
+    ix__obj_unref(in->ctx, t->box);
+    t->box = s->box;
+    s->box = NULL;
+    return IX_OK;
+}
+
 ix_obj *ix__var_at(ix_interp *in, size_t i)
 {
     for (size_t k = 0; k < in->nsyms; k++)
