@@ -73,9 +73,9 @@ static ix_status find_corners(ix_ctx *ctx, ix_mv *const c[4], corner_info *out)
     return IX_OK;
 }
 
-/* The bilinear patch of the corners, of the same kind as like. */
+/* The bilinear patch of the corners, homogeneous or projected. */
 static ix_status bilinear(ix_ctx *ctx, const ix_mv *like, const corner_info *ci,
-                          ix_mv **out)
+                          bool projected, ix_mv **out)
 {
     bool bezier = !ix__mv_has_basis(like, IX_BSPLINE);
     ix_dir dirs[2] = {ix__dir_linear(bezier), ix__dir_linear(bezier)};
@@ -83,8 +83,34 @@ static ix_status bilinear(ix_ctx *ctx, const ix_mv *like, const corner_info *ci,
     IX_TRY(ix__mv_alloc(ctx, 2, dirs, like->ncoords, like->rational, out));
     for (int k = 0; k < like->naxes; k++)
         for (int i = 0; i < 4; i++)
-            (*out)->pts[4 * k + i] = ci->p[i][k];
+            (*out)->pts[4 * k + i] = ci->p[i][k] /
+                                     (projected ? ci->p[i][0] : 1);
     return IX_OK;
+}
+
+/* a + 0 b: the curve a over the product of both weights. */
+static ix_status share_weight(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                              ix_mv **out)
+{
+    const double zero[16] = {[15] = 1};
+    ix_mv *flat = NULL;
+    ix_status st;
+
+    IX_TRY(ix_mv_transform(ctx, b, zero, &flat));
+    st = ix_sym_add(ctx, a, flat, NULL, out);
+    ix_mv_unref(ctx, flat);
+    return st;
+}
+
+/* (1 - t) a + t b of the projected curves if affine, else homogeneous. */
+static ix_status ruled(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, bool affine,
+                       ix_mv *t[2], ix_mv **out)
+{
+    if (!affine)
+        return ix_srf_ruled(ctx, a, b, out);
+    IX_TRY(share_weight(ctx, a, b, &t[0]));
+    IX_TRY(share_weight(ctx, b, a, &t[1]));
+    return ix_srf_ruled(ctx, t[0], t[1], out);
 }
 
 /* a + b - c, all on [0, 1]^2; weights as ordinary coordinates on demand. */
@@ -100,18 +126,22 @@ static ix_status blend(ix_ctx *ctx, ix_mv *const abc[3], bool homogeneous,
     return ix__mv_relabel(ctx, t[4], rational, out);
 }
 
+enum { PLAIN_TEMPS = 13 };
+
 /* c: four curves on [0, 1], all Bezier or all B-spline, of one point type. */
-static ix_status boolsum_plain(ix_ctx *ctx, ix_mv *const c[4], ix_mv *t[9],
-                               ix_mv **out)
+static ix_status boolsum_plain(ix_ctx *ctx, ix_mv *const c[4],
+                               ix_mv *t[PLAIN_TEMPS], ix_mv **out)
 {
     corner_info ci;
+    bool affine;
 
     IX_TRY(find_corners(ctx, c, &ci));
-    IX_TRY(ix_srf_ruled(ctx, c[C1], c[C2], &t[0]));
-    IX_TRY(ix_srf_ruled(ctx, c[C3], c[C4], &t[3]));
+    affine = c[0]->rational && !ci.same_weights;
+    IX_TRY(ruled(ctx, c[C1], c[C2], affine, t + 9, &t[0]));
+    IX_TRY(ruled(ctx, c[C3], c[C4], affine, t + 11, &t[3]));
     IX_TRY(ix_mv_swap_dirs(ctx, t[3], 0, 1, &t[1]));
-    IX_TRY(bilinear(ctx, t[0], &ci, &t[2]));
-    return blend(ctx, t, ci.same_weights, t + 4, out);
+    IX_TRY(bilinear(ctx, t[0], &ci, affine, &t[2]));
+    return blend(ctx, t, !affine, t + 4, out);
 }
 
 /* All four curves of one kind, on [0, 1], with one point type, in t[8..11]. */
@@ -142,7 +172,7 @@ ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                          const ix_mv *c3, const ix_mv *c4, ix_mv **out)
 {
     const ix_mv *const c[4] = {c1, c2, c3, c4};
-    ix_mv *t[12] = {NULL}, *s[9] = {NULL};
+    ix_mv *t[12] = {NULL}, *s[PLAIN_TEMPS] = {NULL};
     ix_status st;
 
     *out = NULL;
@@ -154,7 +184,7 @@ ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
     if (st == IX_OK)
         st = boolsum_plain(ctx, t + 8, s, out);
     ix__mv_unref_all(ctx, t, 12);
-    ix__mv_unref_all(ctx, s, 9);
+    ix__mv_unref_all(ctx, s, PLAIN_TEMPS);
     return st;
 }
 

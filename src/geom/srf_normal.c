@@ -1,6 +1,7 @@
 /* srf_normal.c - tangents and normals of surfaces. The normal is S_v x S_u
  * throughout (spec/functions, convention 3). */
 #include <math.h>
+#include <string.h>
 
 #include "geom/parts.h"
 #include "geom/vec3.h"
@@ -198,10 +199,10 @@ static ix_status cone_of(ix_ctx *ctx, const ix_mv *field, double axis[3],
     for (int i = 0; i < n; i++)
         for (int k = 0; k < 3; k++)
             sum[k] += v[i][k];
-    if (!(n > 0 && ix__unit3(sum, sum) > 0))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the surface has no normals, or none "
-                       "that prevail");
+    if (n == 0)
+        return IX_FAIL(ctx, IX_EDOMAIN, "the surface has no normals");
+    if (!(ix__unit3(sum, sum) > 0)) /* as many normals one way as another */
+        memcpy(sum, v[0], sizeof sum);
     for (int i = 0; i < n; i++) {
         double c[3];
 
