@@ -53,6 +53,58 @@ ix_status ix_roots(ix_ctx *ctx, const ix_mv *f, int axis, const ix_root_opts *o,
                    ix_root **roots, int *n) IX_MUST_CHECK;
 void ix_roots_free(ix_ctx *ctx, ix_root *roots, int n);
 
+/* --- n equations in n unknowns ------------------------------------------- */
+
+#define IX_MAX_UNKNOWNS 6
+
+typedef enum { IX_EQUAL_ZERO, IX_AT_LEAST_ZERO, IX_AT_MOST_ZERO } ix_relation;
+
+/* One axis of f (the numerator if rational) related to zero. All equations
+ * have the same number of directions and the same domains. */
+typedef struct {
+    const ix_mv *f;
+    int axis;
+    ix_relation rel;
+} ix_equation;
+
+typedef struct {
+    double x[IX_MAX_UNKNOWNS];
+    double lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS]; /* encloses it */
+    bool certified;  /* exactly one solution in the box, proven; otherwise the
+                        box could not be decided: it holds none, one or more */
+    double residual; /* largest |f_i(x)| over the largest coefficient of f_i */
+} ix_solution;
+
+typedef struct {
+    double cell;      /* boxes smaller than this part of the domain that stay
+                         undecided are reported; 0: 1e-7 */
+    size_t max_boxes; /* stop after so many boxes; 0: 10 million */
+} ix_solve_opts;
+
+typedef struct {
+    int n, unknowns;
+    ix_solution *sol; /* by increasing x[0], then x[1], ... */
+    bool complete;    /* false: max_boxes reached; what is open is reported as
+                         boxes that are not certified */
+    size_t boxes;     /* looked at */
+    size_t bytes;
+} ix_solutions;
+
+/* All common solutions of neq relations, of which as many equalities as there
+ * are unknowns (1 .. IX_MAX_UNKNOWNS); further equalities are used as checks.
+ *
+ * Out   *out    freed with ix_solutions_free
+ * Err   IX_EARG     fewer equalities than unknowns, different domains or
+ *                   directions, power basis
+ *       IX_ECANCEL  interrupted
+ * Num   a regular solution is certified (Krawczyk's test on its box) and
+ *       polished by Newton to the accuracy of double; deterministic
+ * Src   preconditioned domain reduction: Mourrain & Pavone 2009; uniqueness:
+ *       Krawczyk 1969, Moore 1977 */
+ix_status ix_solve(ix_ctx *ctx, int neq, const ix_equation *eq,
+                   const ix_solve_opts *o, ix_solutions *out) IX_MUST_CHECK;
+void ix_solutions_free(ix_ctx *ctx, ix_solutions *s);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,140 @@
+/* system_found.c - the list of solutions, and making one of what several
+ * boxes reported. */
+#include <math.h>
+#include <string.h>
+
+#include "solve/system_impl.h"
+
+ix_status ix__found_add(ix__found *f, const ix_solution *s)
+{
+    if (f->n == f->cap) {
+        int cap = f->cap ? 2 * f->cap : 64;
+        ix_solution *more;
+
+        if (cap < f->cap)
+            return IX_FAIL(f->ctx, IX_ENOMEM, "%d solutions", f->n);
+        IX_SCRATCH(f->ctx, more, cap);
+        if (f->n)
+            memcpy(more, f->sol, (size_t)f->n * sizeof *more);
+        f->sol = more;
+        f->cap = cap;
+    }
+    f->sol[f->n++] = *s;
+    return IX_OK;
+}
+
+static bool meet(const ix_solution *a, const ix_solution *b, int n,
+                 const double *edge, double gap)
+{
+    for (int j = 0; j < n; j++)
+        if (!(a->lo[j] <= b->hi[j] + gap * edge[j] &&
+              b->lo[j] <= a->hi[j] + gap * edge[j]))
+            return false;
+    return true;
+}
+
+static void join_boxes(ix_solution *a, const ix_solution *b, int n)
+{
+    for (int j = 0; j < n; j++) {
+        a->lo[j] = fmin(a->lo[j], b->lo[j]);
+        a->hi[j] = fmax(a->hi[j], b->hi[j]);
+        a->x[j] = 0.5 * (a->lo[j] + a->hi[j]);
+    }
+}
+
+static int root_of(int *up, int i)
+{
+    while (up[i] != i)
+        i = up[i] = up[up[i]];
+    return i;
+}
+
+static bool before(const ix_solution *a, const ix_solution *b, int n)
+{
+    for (int j = 0; j < n; j++)
+        if (a->x[j] < b->x[j] || a->x[j] > b->x[j])
+            return a->x[j] < b->x[j];
+    return a->certified && !b->certified;
+}
+
+/* Shell sort by Ciura's gaps: deterministic, in place, n^1.3. */
+static void sort(ix_solution *s, int count, int n)
+{
+    static const int gaps[] = {301705, 132, 57, 23, 10, 4, 1};
+    int gap = count;
+
+    for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++) {
+        gap = gaps[g];
+        for (int i = gap; i < count; i++) {
+            ix_solution t = s[i];
+            int k = i;
+
+            for (; k >= gap && before(&t, &s[k - gap], n); k -= gap)
+                s[k] = s[k - gap];
+            s[k] = t;
+        }
+    }
+}
+
+/* Undecided boxes that touch grow together; sorted by x[0], so only a window
+ * of them is compared. */
+static ix_status merge_open(ix__found *f, int n, const double *edge)
+{
+    int *up, out = 0;
+
+    IX_SCRATCH(f->ctx, up, f->n);
+    for (int i = 0; i < f->n; i++)
+        up[i] = i;
+    for (int i = 0; i < f->n; i++)
+        for (int k = i - 1; k >= 0; k--) {
+            if (f->sol[i].certified)
+                break;
+            if (f->sol[k].certified)
+                continue;
+            if (f->sol[i].lo[0] - f->sol[k].lo[0] > 1e-3 * edge[0])
+                break;
+            if (meet(&f->sol[i], &f->sol[k], n, edge, 1e-9))
+                up[root_of(up, i)] = root_of(up, k);
+        }
+    for (int i = 0; i < f->n; i++) {
+        int r = root_of(up, i);
+
+        if (r != i)
+            join_boxes(&f->sol[r], &f->sol[i], n);
+    }
+    for (int i = 0; i < f->n; i++)
+        if (root_of(up, i) == i)
+            f->sol[out++] = f->sol[i];
+    f->n = out;
+    return IX_OK;
+}
+
+/* Two certified boxes that meet hold the same solution: each excludes a
+ * second one from a box many times its own size. */
+static void drop_doubles(ix__found *f, int n, const double *edge)
+{
+    int out = 0;
+
+    for (int i = 0; i < f->n; i++) {
+        bool same = false;
+
+        for (int k = out - 1; k >= 0 && !same && f->sol[i].certified; k--) {
+            if (f->sol[i].lo[0] > f->sol[k].hi[0] + 1e-9 * edge[0])
+                break;
+            same = f->sol[k].certified &&
+                   meet(&f->sol[i], &f->sol[k], n, edge, 0);
+        }
+        if (!same)
+            f->sol[out++] = f->sol[i];
+    }
+    f->n = out;
+}
+
+ix_status ix__found_merge(ix__found *f, int n, const double *edge)
+{
+    sort(f->sol, f->n, n);
+    drop_doubles(f, n, edge);
+    IX_TRY(merge_open(f, n, edge));
+    sort(f->sol, f->n, n);
+    return IX_OK;
+}

@@ -1,0 +1,213 @@
+/* tensor.c - Bernstein tensors on a box. */
+#include "solve/tensor.h"
+
+#include <math.h>
+#include <string.h>
+
+void ix__shape_init(ix__shape *s, int n, const int *dims)
+{
+    s->n = n;
+    s->size = 1;
+    for (int j = 0; j < n; j++) {
+        s->dims[j] = dims[j];
+        s->stride[j] = s->size;
+        s->size *= (size_t)dims[j];
+    }
+}
+
+/* w[i] = (1 - a) w[i] + a w[i + inner] for m - 1 layers of inner numbers. */
+static void blend(double *w, size_t layers, size_t inner, double a)
+{
+    double q = 1 - a;
+    size_t n = layers * inner;
+
+    for (size_t i = 0; i < n; i++)
+        w[i] = q * w[i] + a * w[i + inner];
+}
+
+/* The same from the far end: w[i + inner] = (1 - a) w[i] + a w[i + inner]. */
+static void blend_back(double *w, size_t layers, size_t inner, double a)
+{
+    double q = 1 - a;
+
+    for (size_t i = layers * inner; i-- > 0;)
+        w[i + inner] = q * w[i] + a * w[i + inner];
+}
+
+void ix__tensor_cut(const ix__shape *s, double *c, int j, double a, bool low)
+{
+    size_t inner = s->stride[j], m = (size_t)s->dims[j];
+    size_t block = inner * m;
+
+    for (double *p = c; p < c + s->size; p += block)
+        for (size_t k = 1; k < m; k++) {
+            if (low)
+                blend(p, m - k, inner, a);
+            else
+                blend_back(p + (k - 1) * inner, m - k, inner, a);
+        }
+}
+
+void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
+                         double b)
+{
+    if (b < 1 || b > 1)
+        ix__tensor_cut(s, c, j, b, false);
+    if (a < 0 || a > 0)
+        ix__tensor_cut(s, c, j, a / b, true);
+}
+
+/* Contracts the last direction of size dims[n-1] at x by de Casteljau. */
+static void contract(double *w, size_t inner, int m, double x)
+{
+    for (int k = 1; k < m; k++)
+        blend(w, (size_t)(m - k), inner, x);
+}
+
+double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
+                        double *work)
+{
+    memcpy(work, c, s->size * sizeof *c);
+    for (int j = s->n - 1; j >= 0; j--)
+        contract(work, s->stride[j], s->dims[j], x[j]);
+    return work[0];
+}
+
+void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
+                         double *grad, double *work)
+{
+    double *w = work + s->size;
+    size_t left = s->size;
+
+    /* work: contracted in all directions above j; w: also in those below */
+    memcpy(work, c, s->size * sizeof *c);
+    for (int j = s->n - 1; j >= 0; j--) {
+        size_t inner = s->stride[j];
+        int m = s->dims[j];
+
+        memcpy(w, work, left * sizeof *w);
+        if (m > 1) {
+            for (size_t i = 0; i < (size_t)(m - 1) * inner; i++)
+                w[i] = (m - 1) * (w[i + inner] - w[i]);
+            contract(w, inner, m - 1, x[j]);
+        } else {
+            memset(w, 0, inner * sizeof *w);
+        }
+        for (int k = j - 1; k >= 0; k--)
+            contract(w, s->stride[k], s->dims[k], x[k]);
+        grad[j] = w[0];
+        contract(work, inner, m, x[j]);
+        left = inner;
+    }
+}
+
+void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
+                      double *hi)
+{
+    double a = c[0], b = c[0];
+
+    for (size_t i = 1; i < s->size; i++) {
+        a = c[i] < a ? c[i] : a;
+        b = c[i] > b ? c[i] : b;
+    }
+    *lo = a;
+    *hi = b;
+}
+
+void ix__tensor_slope_range(const ix__shape *s, const double *c, int j,
+                            double *lo, double *hi)
+{
+    size_t inner = s->stride[j], m = (size_t)s->dims[j];
+    double a = INFINITY, b = -INFINITY;
+
+    if (m == 1) {
+        *lo = *hi = 0;
+        return;
+    }
+    for (const double *p = c; p < c + s->size; p += inner * m)
+        for (size_t i = 0; i < (m - 1) * inner; i++) {
+            double v = p[i + inner] - p[i];
+
+            a = v < a ? v : a;
+            b = v > b ? v : b;
+        }
+    *lo = a * (double)(m - 1);
+    *hi = b * (double)(m - 1);
+}
+
+/* Range of each layer k along direction j. */
+static void layer_ranges(const ix__shape *s, const double *c, int j, double *lo,
+                         double *hi)
+{
+    size_t inner = s->stride[j], m = (size_t)s->dims[j];
+
+    for (size_t k = 0; k < m; k++) {
+        lo[k] = INFINITY;
+        hi[k] = -INFINITY;
+    }
+    for (const double *p = c; p < c + s->size; p += inner * m)
+        for (size_t k = 0; k < m; k++)
+            for (size_t i = 0; i < inner; i++) {
+                double v = p[k * inner + i];
+
+                lo[k] = v < lo[k] ? v : lo[k];
+                hi[k] = v > hi[k] ? v : hi[k];
+            }
+}
+
+/* Where the lower hull of the points (k / (m-1), v[k]) is <= 0; sign -1 asks
+ * for the upper hull >= 0. Widened by 4 ulp for the rounding of the cut. */
+static bool hull_cut(const double *v, int m, double sign, double *a, double *b)
+{
+    int first = -1, last = -1;
+    double lo = 1, hi = 0, d = m - 1;
+
+    for (int k = 0; k < m; k++)
+        if (sign * v[k] <= 0) {
+            first = first < 0 ? k : first;
+            last = k;
+        }
+    if (first < 0)
+        return false;
+    lo = first == 0 ? 0 : first / d;
+    hi = last == m - 1 ? 1 : last / d;
+    for (int i = 0; i < m; i++)
+        for (int k = first; k <= last; k++) {
+            double f = sign * v[i], g = sign * v[k], x;
+
+            if (!(f > 0) || g > 0 || i == k)
+                continue;
+            x = (i + (k - i) * (f / (f - g))) / d;
+            if (i < k)
+                lo = fmin(lo, x);
+            else
+                hi = fmax(hi, x);
+        }
+    *a = fmax(*a, lo - 0x1p-50);
+    *b = fmin(*b, hi + 0x1p-50);
+    return *a <= *b;
+}
+
+#define MAX_LAYERS 64
+
+bool ix__tensor_clip(const ix__shape *s, const double *c, double err, int j,
+                     double *a, double *b)
+{
+    double lo[MAX_LAYERS], hi[MAX_LAYERS];
+    int m = s->dims[j];
+
+    *a = 0;
+    *b = 1;
+    if (m == 1 || m > MAX_LAYERS) {
+        double l, h;
+
+        ix__tensor_range(s, c, &l, &h);
+        return !(l > err) && !(h < -err);
+    }
+    layer_ranges(s, c, j, lo, hi);
+    for (int k = 0; k < m; k++) {
+        lo[k] -= err;
+        hi[k] += err;
+    }
+    return hull_cut(lo, m, 1, a, b) && hull_cut(hi, m, -1, a, b);
+}

@@ -1,0 +1,42 @@
+/* tensor.h - Bernstein tensors on a box: what the subdivision solvers do with
+ * them. A tensor of n directions has dims[j] = degree + 1 coefficients in
+ * direction j, direction 0 fastest. Kernels: no allocation, cannot fail. */
+#ifndef SOLVE_TENSOR_H
+#define SOLVE_TENSOR_H
+
+#include <stddef.h>
+
+#include "iritx/solve.h"
+
+typedef struct {
+    int n; /* directions */
+    int dims[IX_MAX_UNKNOWNS];
+    size_t stride[IX_MAX_UNKNOWNS];
+    size_t size; /* product of dims */
+} ix__shape;
+
+void ix__shape_init(ix__shape *s, int n, const int *dims);
+
+/* The part over [a, 1] (low = false: [0, a]) of direction j, in place. */
+void ix__tensor_cut(const ix__shape *s, double *c, int j, double a, bool low);
+/* The part over [a, b], which may reach beyond [0, 1], in place. */
+void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
+                         double b);
+/* Value and gradient at x (in [0,1]^n or near); work has 2 size doubles. */
+double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
+                        double *work);
+void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
+                         double *grad, double *work);
+/* Range of the coefficients. */
+void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
+                      double *hi);
+/* Range of the coefficients of the partial derivative in direction j. */
+void ix__tensor_slope_range(const ix__shape *s, const double *c, int j,
+                            double *lo, double *hi);
+/* The part [*a, *b] of [0, 1] in direction j outside of which the function
+ * (each coefficient known to within err) has no zero: the convex hull of the
+ * control points seen along j, cut with zero. False: no zero at all. */
+bool ix__tensor_clip(const ix__shape *s, const double *c, double err, int j,
+                     double *a, double *b);
+
+#endif
