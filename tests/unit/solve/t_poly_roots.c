@@ -107,8 +107,7 @@ static void counts_are_exact(void **state)
         if (want < 0)
             continue;
         ASSERT_OK(ctx, ix__poly_roots_find(ctx, d, b, 0, &r));
-        if (total(&r) != want)
-        {
+        if (total(&r) != want) {
             for (int i = 0; i <= d; i++)
                 print_message("# b[%d] = %g\n", i, b[i]);
             fail_msg("round %d degree %d: %d roots, exactly %ld", round, d,
@@ -298,10 +297,10 @@ int main(void)
 #ifdef IX_HAVE_FLINT
         cmocka_unit_test(counts_are_exact),
 #endif
-        cmocka_unit_test(wilkinson),    cmocka_unit_test(chebyshev),
-        cmocka_unit_test(close_pair),   cmocka_unit_test(double_root),
-        cmocka_unit_test(triple_root),  cmocka_unit_test(roots_at_ends),
-        cmocka_unit_test(vanishing),    cmocka_unit_test(high_order),
+        cmocka_unit_test(wilkinson),        cmocka_unit_test(chebyshev),
+        cmocka_unit_test(close_pair),       cmocka_unit_test(double_root),
+        cmocka_unit_test(triple_root),      cmocka_unit_test(roots_at_ends),
+        cmocka_unit_test(vanishing),        cmocka_unit_test(high_order),
         cmocka_unit_test(out_of_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
