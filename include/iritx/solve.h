@@ -105,6 +105,52 @@ ix_status ix_solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                    const ix_solve_opts *o, ix_solutions *out) IX_MUST_CHECK;
 void ix_solutions_free(ix_ctx *ctx, ix_solutions *s);
 
+/* --- n - 1 equations in n unknowns: curves ---------------------------------- */
+
+typedef struct {
+    double tol;       /* distance of the polyline from the curve, as a part of
+                         the domain's longest edge; 0: 1e-4 */
+    double cell;      /* as in ix_solve_opts; 0: 1e-6 */
+    size_t max_boxes; /* 0: 1 million */
+} ix_curves_opts;
+
+typedef enum {
+    IX_END_CLOSED,   /* the curve is a loop: first and last point are equal */
+    IX_END_BOUNDARY, /* on the boundary of the domain */
+    IX_END_SINGULAR, /* at a singular point (see singular) */
+    IX_END_OPEN      /* at a jump of the functions, or undecided */
+} ix_curve_end;
+
+/* One arc: a polyline in the space of the parameters whose vertices lie on the
+ * curve to the accuracy of double. */
+typedef struct {
+    int n;
+    const double *x; /* double[n][unknowns] */
+    ix_curve_end start, end;
+    int start_singular, end_singular; /* index into singular, or -1 */
+} ix_solution_curve;
+
+typedef struct {
+    int unknowns, ncurves, nsingular;
+    ix_solution_curve *curve;
+    ix_solution *singular; /* points where the gradients are dependent, located
+                              to their boxes: nodes, cusps, isolated points */
+    int *arcs;             /* [nsingular]: arc ends that meet there */
+    bool complete;
+    size_t boxes, bytes;
+} ix_solution_curves;
+
+/* The solution set of neq >= unknowns - 1 equations (2 to 4 unknowns).
+ *
+ * Err   as ix_solve
+ * Num   every regular arc is found: cells on which one coordinate is proven to
+ *       be a parameter of the curve are joined at points of their faces
+ * Src   Liang, Mourrain & Pavone 2008; Barton, Elber & Hanniel 2011 */
+ix_status ix_solve_curves(ix_ctx *ctx, int neq, const ix_equation *eq,
+                          const ix_curves_opts *o,
+                          ix_solution_curves *out) IX_MUST_CHECK;
+void ix_solution_curves_free(ix_ctx *ctx, ix_solution_curves *c);
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,6 +3,7 @@
 #define SOLVE_SYSTEM_IMPL_H
 
 #include "base/ctx.h"
+#include "iritx/solve.h"
 #include "solve/small.h"
 #include "solve/tensor.h"
 

@@ -1,0 +1,66 @@
+/* curves.c - n - 1 equations in n unknowns: the public call. */
+#include "mv/mv.h"
+#include "solve/curves_impl.h"
+
+static void set_up(ix_ctx *ctx, const ix_mv *f, const ix_curves_opts *o,
+                   const ix__patches *p, ix__curves *s)
+{
+    *s = (ix__curves){.ctx = ctx, .n = f->ndirs, .singular = {.ctx = ctx}};
+    s->cell = o && o->cell > 0 ? o->cell : 1e-6;
+    s->tol = o && o->tol > 0 ? o->tol : 1e-4;
+    s->max_boxes = o && o->max_boxes ? o->max_boxes : 1000000;
+    ix__patches_shape(p, &s->shape, s->edge);
+    for (int j = 0; j < s->n; j++) {
+        s->lo[j] = p->sp[j].breaks[0];
+        s->hi[j] = p->sp[j].breaks[p->sp[j].nspans];
+    }
+}
+
+static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
+                       const ix_curves_opts *o, ix_solution_curves *out)
+{
+    int idx[IX_MAX_UNKNOWNS] = {0}, n;
+    ix__patches p;
+    ix__curves s;
+    ix__box b;
+
+    IX_TRY(ix__patches_check(ctx, neq, eq, 1));
+    n = eq[0].f->ndirs;
+    if (n < 2 || n > 4)
+        return IX_FAIL(ctx, IX_EARG,
+                       "curves in %d unknowns; 2 to 4 are possible", n);
+    if (neq != n - 1)
+        return IX_FAIL(ctx, IX_EARG, "%d equations for a curve in %d unknowns",
+                       neq, n);
+    IX_TRY(ix__patches_make(ctx, neq, eq, &p));
+    set_up(ctx, eq[0].f, o, &p, &s);
+    IX_SCRATCH(ctx, b.c, (size_t)neq * s.shape.size);
+    do {
+        ix__patches_take(&p, &s.shape, neq, idx, &b);
+        IX_TRY(ix__curves_patch(&s, &b));
+    } while (ix__patches_next(&p, n, idx));
+    out->unknowns = n;
+    out->boxes = s.boxes;
+    out->complete = s.boxes < s.max_boxes;
+    return ix__curves_link(&s, out);
+}
+
+ix_status ix_solve_curves(ix_ctx *ctx, int neq, const ix_equation *eq,
+                          const ix_curves_opts *o, ix_solution_curves *out)
+{
+    ix_mark mk = ix__scratch_mark(ctx);
+    ix_status st;
+
+    *out = (ix_solution_curves){.unknowns = 0};
+    st = solve(ctx, neq, eq, o, out);
+    ix__scratch_release(ctx, mk);
+    return st;
+}
+
+void ix_solution_curves_free(ix_ctx *ctx, ix_solution_curves *c)
+{
+    /* the block starts with the first of its parts that is not empty */
+    if (c->bytes)
+        ix__free(ctx, c->singular, c->bytes);
+    *c = (ix_solution_curves){.unknowns = 0};
+}

@@ -1,0 +1,569 @@
+/* curves_cell.c - the arcs of a curve inside one patch.
+ *
+ * A box is halved until one coordinate k is proven to be a parameter of the
+ * curve in it: for every value of x_k at most one solution (a contraction in
+ * the other coordinates). Then the arcs of the box lie between the points in
+ * which the curve meets its faces, sorted by x_k. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "solve/curves_impl.h"
+#include "solve/poly_roots.h"
+
+#define UNIT      (DBL_EPSILON / 2)
+#define MAX_DEPTH 400
+#define MAX_FACE  256 /* points of one cell on its faces */
+#define RATIO                                               \
+    0.487373 /* halving away from dyadic numbers, where the \
+                interesting points of test cases lie */
+
+typedef struct ix__cells {
+    ix__curves *s;
+    ix__box *stack;
+    int top;
+    double *work, *face;
+} search;
+
+/* A cell with parameter x_k: m is the inverse of the Jacobian in the others. */
+typedef struct {
+    const ix__box *b;
+    int k;
+    ix__mat m;
+} graph;
+
+static double *tensor(const ix__curves *s, const ix__box *b, int i)
+{
+    return b->c + (size_t)i * s->shape.size;
+}
+
+/* The i-th coordinate other than k. */
+static int other(int i, int k)
+{
+    return i < k ? i : i + 1;
+}
+
+/* --- growing arrays
+ * --------------------------------------------------------------- */
+
+static void *grow(ix_ctx *ctx, const void *old, int used, int *cap, size_t size)
+{
+    int more = *cap ? 2 * *cap : 256;
+    void *p = more > *cap ? ix__scratch(ctx, (size_t)more, size) : NULL;
+
+    if (!p)
+        return NULL;
+    if (used)
+        memcpy(p, old, (size_t)used * size);
+    *cap = more;
+    return p;
+}
+
+ix_status ix__curves_add_pt(ix__curves *s, const double *x)
+{
+    if (s->npts == s->pt_cap) {
+        s->pts = grow(s->ctx, s->pts, s->npts, &s->pt_cap, sizeof *s->pts);
+        if (!s->pts)
+            return IX_ENOMEM;
+    }
+    memcpy(s->pts[s->npts++].x, x, (size_t)s->n * sizeof *x);
+    return IX_OK;
+}
+
+ix_status ix__curves_add_arc(ix__curves *s, int first)
+{
+    if (s->narcs == s->arc_cap) {
+        s->arc = grow(s->ctx, s->arc, s->narcs, &s->arc_cap, sizeof *s->arc);
+        if (!s->arc)
+            return IX_ENOMEM;
+    }
+    s->arc[s->narcs++] = (ix__arc){first, s->npts - first};
+    return IX_OK;
+}
+
+/* --- the test for a parameter
+ * ---------------------------------------------------------- */
+
+static bool signs_allow(const ix__curves *s, const ix__box *b)
+{
+    for (int i = 0; i < s->n - 1; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
+        if (hi < -b->err[i] || lo > b->err[i])
+            return false;
+    }
+    return true;
+}
+
+/* Bound of |I - m J| over the cell, J the Jacobian without column k. */
+static double contraction(const ix__curves *s, const graph *g)
+{
+    int n = s->n - 1;
+    ix__mat low, high;
+    double worst = 0;
+
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            ix__tensor_slope_range(&s->shape, tensor(s, g->b, i),
+                                   other(j, g->k), &low[i][j], &high[i][j]);
+    for (int i = 0; i < n; i++) {
+        double row = 0;
+
+        for (int j = 0; j < n; j++) {
+            double a = i == j, c = i == j;
+
+            for (int k = 0; k < n; k++) {
+                double w = g->m[i][k];
+
+                a -= w > 0 ? w * high[k][j] : w * low[k][j];
+                c -= w > 0 ? w * low[k][j] : w * high[k][j];
+            }
+            row += fmax(fabs(a), fabs(c));
+        }
+        worst = fmax(worst, row);
+    }
+    return worst;
+}
+
+/* Looks for a coordinate that is a parameter, the best conditioned first. */
+static bool find_parameter(search *q, const ix__box *b, graph *g)
+{
+    const ix__curves *s = q->s;
+    double mid[4] = {0.5, 0.5, 0.5, 0.5}, best = 0.9;
+    ix__mat jac;
+
+    for (int i = 0; i < s->n - 1; i++)
+        ix__tensor_gradient(&s->shape, tensor(s, b, i), mid, jac[i], q->work);
+    for (int k = 0; k < s->n; k++) {
+        graph t = {.b = b, .k = k};
+        ix__mat sub;
+        double lip;
+
+        for (int i = 0; i < s->n - 1; i++)
+            for (int j = 0; j < s->n - 1; j++)
+                sub[i][j] = jac[i][other(j, k)];
+        if (!ix__small_invert(s->n - 1, sub, t.m))
+            continue;
+        lip = contraction(s, &t);
+        if (lip < best) {
+            best = lip;
+            *g = t;
+        }
+    }
+    return best < 0.9;
+}
+
+/* --- points on the curve
+ * ------------------------------------------------------------------ */
+
+/* Solves for the coordinates other than k (local, x given as start): Newton
+ * with the cell's preconditioner. The error that remains, or infinity. */
+static double correct(search *q, const graph *g, double *x)
+{
+    const ix__curves *s = q->s;
+    double last = INFINITY;
+
+    for (int it = 0; it < 80; it++) {
+        double v[4], size = 0;
+
+        for (int i = 0; i < s->n - 1; i++)
+            v[i] = ix__tensor_value(&s->shape, tensor(s, g->b, i), x, q->work);
+        for (int i = 0; i < s->n - 1; i++) {
+            double d = 0;
+
+            for (int k = 0; k < s->n - 1; k++)
+                d += g->m[i][k] * v[k];
+            x[other(i, g->k)] -= d;
+            size = fmax(size, fabs(d));
+        }
+        if (!(size < 4))
+            return INFINITY;
+        if (size <= 4 * UNIT || !(size < 0.95 * last))
+            return fmin(size, last);
+        last = size;
+    }
+    return last;
+}
+
+static bool inside(const ix__curves *s, const double *x, double slack)
+{
+    for (int j = 0; j < s->n; j++)
+        if (!(x[j] >= -slack && x[j] <= 1 + slack))
+            return false;
+    return true;
+}
+
+static void to_global(const ix__curves *s, const ix__box *b, const double *x,
+                      double *out)
+{
+    for (int j = 0; j < s->n; j++) {
+        double t = fmin(fmax(x[j], 0), 1);
+
+        out[j] = t >= 1 ? b->hi[j] : b->lo[j] + t * (b->hi[j] - b->lo[j]);
+    }
+}
+
+/* --- faces
+ * ------------------------------------------------------------------------------------
+ */
+
+/* Tensor layer of direction j at its low or high end: a tensor of one
+ * direction less. */
+static void take_layer(const ix__curves *s, const double *c, int j, bool high,
+                       double *out)
+{
+    size_t inner = s->shape.stride[j], m = (size_t)s->shape.dims[j];
+    const double *p = c + (high ? (m - 1) * inner : 0);
+
+    for (; p < c + s->shape.size; p += inner * m, out += inner)
+        memcpy(out, p, inner * sizeof *out);
+}
+
+static void face_shape(const ix__curves *s, int j, ix__shape *f)
+{
+    int dims[IX_MAX_UNKNOWNS];
+
+    for (int i = 0; i < s->n - 1; i++)
+        dims[i] = s->shape.dims[other(i, j)];
+    ix__shape_init(f, s->n - 1, dims);
+}
+
+/* Adds a point with local coordinates y on face j. False: too many. */
+static bool add_face_point(const ix__curves *s, int j, bool high,
+                           const double *y, ix__pt *list, int *count)
+{
+    if (*count == MAX_FACE)
+        return false;
+    for (int i = 0; i < s->n - 1; i++)
+        list[*count].x[other(i, j)] = y[i];
+    list[*count].x[j] = high;
+    (*count)++;
+    return true;
+}
+
+/* n = 2: the face is an edge with one polynomial. *ok false: undecided. */
+static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
+                             ix__pt *list, int *count, bool *ok)
+{
+    ix__curves *s = q->s;
+    ix_mark mk = ix__scratch_mark(s->ctx);
+    int d = s->shape.dims[1 - j] - 1;
+    ix__poly_roots r;
+    ix_status st;
+    double y;
+
+    take_layer(s, b->c, j, high, q->face);
+    st = ix__poly_roots_find(s->ctx, d, q->face, b->err[0], &r);
+    if (st == IX_OK && !r.vanishes) {
+        y = 0;
+        if (r.zeros0)
+            *ok &= add_face_point(s, j, high, &y, list, count);
+        for (int i = 0; i < r.n; i++) {
+            y = r.root[i].s;
+            *ok &= add_face_point(s, j, high, &y, list, count);
+        }
+        y = 1;
+        if (r.zeros1)
+            *ok &= add_face_point(s, j, high, &y, list, count);
+    }
+    ix__scratch_release(s->ctx, mk);
+    return st;
+}
+
+/* n > 2: a system of n - 1 equations on the face. */
+static ix_status face_points(search *q, const ix__box *b, int j, bool high,
+                             ix__pt *list, int *count, bool *ok)
+{
+    ix__curves *s = q->s;
+    ix_mark mk = ix__scratch_mark(s->ctx);
+    ix__found found = {.ctx = s->ctx};
+    ix__system sys = {.ctx = s->ctx,
+                      .n = s->n - 1,
+                      .neq = s->n - 1,
+                      .nall = s->n - 1,
+                      .cell = 1e-6,
+                      .max_boxes = 2000};
+    ix__box f = {.c = q->face};
+    ix_status st = IX_OK;
+
+    face_shape(s, j, &sys.shape);
+    for (int i = 0; i < s->n - 1; i++) {
+        sys.edge[i] = 1;
+        f.lo[i] = 0;
+        f.hi[i] = 1;
+        f.err[i] = b->err[i];
+        take_layer(s, tensor(s, b, i), j, high,
+                   q->face + (size_t)i * sys.shape.size);
+    }
+    st = ix__system_search(&sys, &f, &found);
+    if (st == IX_OK)
+        st = ix__found_merge(&found, sys.n, sys.edge);
+    for (int i = 0; st == IX_OK && i < found.n; i++) {
+        *ok &= found.sol[i].certified &&
+               add_face_point(s, j, high, found.sol[i].x, list, count);
+    }
+    *ok &= sys.boxes < sys.max_boxes;
+    ix__scratch_release(s->ctx, mk);
+    return st;
+}
+
+/* All points in which the curve meets the faces, sorted by x_k; *ok false if
+ * some face could not be decided. */
+static ix_status all_face_points(search *q, const graph *g, ix__pt *list,
+                                 int *count, bool *ok)
+{
+    int n = q->s->n;
+
+    *count = 0;
+    *ok = true;
+    for (int j = 0; j < n; j++)
+        for (int high = 0; high <= 1; high++)
+            IX_TRY((n == 2 ? edge_points : face_points)(q, g->b, j, high != 0,
+                                                        list, count, ok));
+    for (int i = 1; i < *count; i++) {
+        ix__pt t = list[i];
+        int k = i;
+
+        for (; k > 0 && list[k - 1].x[g->k] > t.x[g->k]; k--)
+            list[k] = list[k - 1];
+        list[k] = t;
+    }
+    return IX_OK;
+}
+
+/* --- tracing
+ * ------------------------------------------------------------------------------------
+ */
+
+/* Global distance of x from the chord a b, relative to the domain's edges. */
+static double sag(const ix__curves *s, const ix__box *b, const double *p,
+                  const double *x, const double *r)
+{
+    double d = 0, t = 0, len = 0, e[4], c[4];
+
+    for (int j = 0; j < s->n; j++) {
+        double w = (b->hi[j] - b->lo[j]) / s->edge[j];
+
+        e[j] = (r[j] - p[j]) * w;
+        c[j] = (x[j] - p[j]) * w;
+        len += e[j] * e[j];
+        t += e[j] * c[j];
+    }
+    t = len > 0 ? t / len : 0;
+    for (int j = 0; j < s->n; j++)
+        d += (c[j] - t * e[j]) * (c[j] - t * e[j]);
+    return sqrt(d);
+}
+
+typedef struct {
+    double p[4], r[4];
+    int level;
+} chord;
+
+#define MAX_LEVEL 24
+
+/* Vertices between p and r (both given), r included, p not. Halving in x_k;
+ * at least two levels, so that an S does not look straight. */
+static ix_status trace(search *q, const graph *g, const double *p,
+                       const double *r)
+{
+    ix__curves *s = q->s;
+    chord stack[MAX_LEVEL + 1];
+    double out[4];
+    int top = 0;
+
+    memcpy(stack[0].p, p, sizeof stack[0].p);
+    memcpy(stack[0].r, r, sizeof stack[0].r);
+    stack[0].level = 0;
+    while (top >= 0) {
+        chord c = stack[top--];
+        double x[4];
+
+        for (int j = 0; j < s->n; j++)
+            x[j] = 0.5 * (c.p[j] + c.r[j]);
+        if (c.level < MAX_LEVEL && correct(q, g, x) < 1e-6 &&
+            (c.level < 2 || sag(s, g->b, c.p, x, c.r) > 0.5 * s->tol)) {
+            chord lo = c, hi = c;
+
+            memcpy(lo.r, x, sizeof x);
+            memcpy(hi.p, x, sizeof x);
+            lo.level = hi.level = c.level + 1;
+            stack[++top] = hi;
+            stack[++top] = lo;
+            continue;
+        }
+        to_global(s, g->b, c.r, out);
+        IX_TRY(ix__curves_add_pt(s, out));
+    }
+    return IX_OK;
+}
+
+static bool same_point(const ix__curves *s, const double *a, const double *b)
+{
+    for (int j = 0; j < s->n; j++)
+        if (!(fabs(a[j] - b[j]) <= 1e-9)) /* parts of the cell: roots on two
+                                             faces that meet at its corner */
+            return false;
+    return true;
+}
+
+/* The arcs of a cell with a parameter. */
+static ix_status cell_arcs(search *q, const graph *g, bool *ok)
+{
+    ix__curves *s = q->s;
+    ix__pt list[MAX_FACE];
+    int count, k = 0;
+
+    IX_TRY(all_face_points(q, g, list, &count, ok));
+    if (!*ok)
+        return IX_OK;
+    for (int i = 0; i < count; i++)
+        if (k == 0 || !same_point(s, list[i].x, list[k - 1].x))
+            list[k++] = list[i];
+    for (int i = 0; i + 1 < k; i++) {
+        double x[4], out[4];
+        int first = s->npts;
+
+        for (int j = 0; j < s->n; j++)
+            x[j] = 0.5 * (list[i].x[j] + list[i + 1].x[j]);
+        if (!(correct(q, g, x) < 1e-6) || !inside(s, x, 1e-12))
+            continue;
+        to_global(s, g->b, list[i].x, out);
+        IX_TRY(ix__curves_add_pt(s, out));
+        IX_TRY(trace(q, g, list[i].x, list[i + 1].x));
+        IX_TRY(ix__curves_add_arc(s, first));
+    }
+    return IX_OK;
+}
+
+/* --- the search
+ * ----------------------------------------------------------------------------------
+ */
+
+static ix_status report_singular(search *q, const ix__box *b)
+{
+    ix_solution r = {.certified = false};
+
+    for (int j = 0; j < q->s->n; j++) {
+        r.lo[j] = b->lo[j];
+        r.hi[j] = b->hi[j];
+        r.x[j] = 0.5 * (b->lo[j] + b->hi[j]);
+    }
+    return ix__found_add(&q->s->singular, &r);
+}
+
+static void cut(const ix__curves *s, ix__box *b, int j, double a, bool low)
+{
+    double m = b->lo[j] + a * (b->hi[j] - b->lo[j]);
+
+    for (int i = 0; i < s->n - 1; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
+        b->err[i] += 3 * s->shape.dims[j] * UNIT * fmax(-lo, hi);
+        ix__tensor_cut(&s->shape, tensor(s, b, i), j, a, low);
+    }
+    if (low)
+        b->lo[j] = m;
+    else
+        b->hi[j] = m;
+}
+
+static ix_status halve(search *q)
+{
+    ix__curves *s = q->s;
+    ix__box *b = &q->stack[q->top], *c = b + 1;
+    size_t n = (size_t)(s->n - 1) * s->shape.size;
+    double len = 0, *keep;
+    int j = 0;
+
+    for (int i = 0; i < s->n; i++) {
+        double w = (b->hi[i] - b->lo[i]) / s->edge[i];
+
+        if (w > len) {
+            len = w;
+            j = i;
+        }
+    }
+    if (len <= s->cell || q->top + 1 >= MAX_DEPTH) {
+        q->top--;
+        return report_singular(q, b);
+    }
+    if (!c->c)
+        IX_SCRATCH(s->ctx, c->c, n);
+    keep = c->c;
+    *c = *b;
+    c->c = keep;
+    memcpy(c->c, b->c, n * sizeof *keep);
+    cut(s, b, j, RATIO, true);
+    cut(s, c, j, RATIO, false);
+    q->top++;
+    return IX_OK;
+}
+
+static ix_status examine(search *q)
+{
+    ix__curves *s = q->s;
+    ix__box *b = &q->stack[q->top];
+    graph g;
+
+    s->boxes++;
+    if (!signs_allow(s, b)) {
+        q->top--;
+        return IX_OK;
+    }
+    if (find_parameter(q, b, &g)) {
+        int arcs = s->narcs, pts = s->npts;
+        bool ok;
+
+        IX_TRY(cell_arcs(q, &g, &ok));
+        if (ok) {
+            q->top--;
+            return IX_OK;
+        }
+        s->narcs = arcs;
+        s->npts = pts;
+    }
+    return halve(q);
+}
+
+static ix_status make_search(ix__curves *s)
+{
+    size_t n = (size_t)(s->n - 1) * s->shape.size;
+    search *q;
+
+    IX_SCRATCH_ZERO(s->ctx, q, 1);
+    IX_SCRATCH_ZERO(s->ctx, q->stack, MAX_DEPTH);
+    IX_SCRATCH(s->ctx, q->work, 2 * s->shape.size);
+    IX_SCRATCH(s->ctx, q->face, n);
+    IX_SCRATCH(s->ctx, q->stack[0].c, n);
+    q->s = s;
+    s->search = q;
+    return IX_OK;
+}
+
+ix_status ix__curves_patch(ix__curves *s, const ix__box *b)
+{
+    search *q;
+    double *c;
+
+    if (!s->search)
+        IX_TRY(make_search(s));
+    q = s->search;
+    q->top = 0;
+    c = q->stack[0].c;
+    memcpy(c, b->c, (size_t)(s->n - 1) * s->shape.size * sizeof *c);
+    q->stack[0] = *b;
+    q->stack[0].c = c;
+    while (q->top >= 0) {
+        if (s->boxes >= s->max_boxes) {
+            for (; q->top >= 0; q->top--)
+                IX_TRY(report_singular(q, &q->stack[q->top]));
+            break;
+        }
+        IX_TRY(examine(q));
+        IX_TRY(ix__poll(s->ctx));
+    }
+    return IX_OK;
+}

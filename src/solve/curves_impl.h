@@ -1,0 +1,41 @@
+/* curves_impl.h - shared by the parts of the curve solver. */
+#ifndef SOLVE_CURVES_IMPL_H
+#define SOLVE_CURVES_IMPL_H
+
+#include "solve/patches.h"
+
+/* A point of the curve on a cell's face, or a vertex of a polyline. */
+typedef struct {
+    double x[4];
+} ix__pt;
+
+/* An arc inside one cell: points from end to end, in a growing array. */
+typedef struct {
+    int first, n; /* in pts */
+} ix__arc;
+
+typedef struct {
+    ix_ctx *ctx;
+    int n;           /* unknowns; n - 1 equations */
+    ix__shape shape; /* of a patch */
+    double edge[IX_MAX_UNKNOWNS], lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS];
+    double cell, tol;
+    size_t max_boxes, boxes;
+    ix__arc *arc;
+    int narcs, arc_cap;
+    ix__pt *pts;
+    int npts, pt_cap;
+    ix__found singular;       /* cells that could not be decided */
+    struct ix__cells *search; /* working memory, made for the first patch */
+} ix__curves;
+
+ix_status ix__curves_add_pt(ix__curves *s, const double *x) IX_MUST_CHECK;
+ix_status ix__curves_add_arc(ix__curves *s, int first) IX_MUST_CHECK;
+
+/* All arcs in the patch b. */
+ix_status ix__curves_patch(ix__curves *s, const ix__box *b) IX_MUST_CHECK;
+
+/* Joins arcs and hands the result over. */
+ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out) IX_MUST_CHECK;
+
+#endif

@@ -1,0 +1,299 @@
+/* curves_link.c - arcs of single cells joined to whole curves.
+ *
+ * An arc's end lies on a face of its cell; the neighbour has an arc that ends
+ * in the same point, computed independently, so they agree to rounding. Ends
+ * without a partner lie on the domain's boundary, at a singular point, or at a
+ * jump of the functions. */
+#include <math.h>
+#include <string.h>
+
+#include "solve/curves_impl.h"
+
+#define TIE                                                           \
+    1e-8 /* of the domain's edges: a root on a face is known to about \
+            1e-12, different ones are rarely this close */
+
+/* End e of arc a is number 2 a + e; e = 0 its first point, 1 its last. */
+typedef struct {
+    ix__curves *s;
+    int nends;
+    int *order;   /* ends by their first coordinate */
+    int *partner; /* -1: none */
+    int *single;  /* singular point at an end, -1: none */
+} links;
+
+static const double *end_point(const ix__curves *s, int e)
+{
+    const ix__arc *a = &s->arc[e / 2];
+
+    return s->pts[e % 2 ? a->first + a->n - 1 : a->first].x;
+}
+
+static double distance(const ix__curves *s, const double *a, const double *b)
+{
+    double d = 0;
+
+    for (int j = 0; j < s->n; j++)
+        d = fmax(d, fabs(a[j] - b[j]) / s->edge[j]);
+    return d;
+}
+
+/* Shell sort of ends by first coordinate, then number: deterministic. */
+static void sort_ends(links *l)
+{
+    static const int gaps[] = {86961, 33936, 13776, 4592, 1968, 861, 336,
+                               112,   48,    21,    7,    3,    1};
+
+    for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++)
+        for (int gap = gaps[g], i = gap; i < l->nends; i++) {
+            int t = l->order[i], k = i;
+            double x = end_point(l->s, t)[0];
+
+            for (; k >= gap; k -= gap) {
+                int o = l->order[k - gap];
+                double y = end_point(l->s, o)[0];
+
+                if (y < x || (!(y > x) && o < t))
+                    break;
+                l->order[k] = o;
+            }
+            l->order[k] = t;
+        }
+}
+
+/* The nearest free end within tie of the i-th in order, -1 if there is none. */
+static int nearest(const links *l, int i, double tie)
+{
+    const ix__curves *s = l->s;
+    const double *p = end_point(s, l->order[i]);
+    double best = tie;
+    int found = -1;
+
+    for (int k = i + 1; k < l->nends; k++) {
+        const double *q = end_point(s, l->order[k]);
+
+        if (q[0] - p[0] > tie * s->edge[0])
+            break;
+        if (l->partner[l->order[k]] < 0 && l->order[k] != (l->order[i] ^ 1) &&
+            distance(s, p, q) < best) {
+            best = distance(s, p, q);
+            found = l->order[k];
+        }
+    }
+    return found;
+}
+
+/* The closest pairs first: near a cusp two branches run within 1e-8. */
+static void find_partners(links *l)
+{
+    for (double tie = 1e-14; tie <= TIE; tie *= 100)
+        for (int i = 0; i < l->nends; i++) {
+            int e = l->order[i], f;
+
+            if (l->partner[e] >= 0)
+                continue;
+            f = nearest(l, i, tie);
+            if (f >= 0) {
+                l->partner[e] = f;
+                l->partner[f] = e;
+            }
+        }
+}
+
+/* The singular point whose box an end touches. */
+static int at_singular(const ix__curves *s, const double *p)
+{
+    for (int i = 0; i < s->singular.n; i++) {
+        const ix_solution *r = &s->singular.sol[i];
+        bool in = true;
+
+        for (int j = 0; in && j < s->n; j++) {
+            double pad = 2 * s->cell * s->edge[j];
+
+            in = p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad;
+        }
+        if (in)
+            return i;
+    }
+    return -1;
+}
+
+static ix_curve_end kind_of_end(const links *l, int e)
+{
+    const ix__curves *s = l->s;
+    const double *p = end_point(s, e);
+
+    for (int j = 0; j < s->n; j++) {
+        double tie = TIE * s->edge[j];
+
+        if (p[j] <= s->lo[j] + tie || p[j] >= s->hi[j] - tie)
+            return IX_END_BOUNDARY;
+    }
+    return l->single[e] >= 0 ? IX_END_SINGULAR : IX_END_OPEN;
+}
+
+/* --- arcs that two patches found on their common face
+ * ------------------------- */
+
+static bool same_arc(const ix__curves *s, int a, int b)
+{
+    const ix__arc *p = &s->arc[a], *q = &s->arc[b];
+    const double *m = s->pts[p->first + p->n / 2].x;
+    bool back = distance(s, end_point(s, 2 * a), end_point(s, 2 * b + 1)) < TIE;
+    double best = INFINITY;
+
+    if (!(distance(s, end_point(s, 2 * a), end_point(s, 2 * b + back)) < TIE &&
+          distance(s, end_point(s, 2 * a + 1), end_point(s, 2 * b + !back)) <
+              TIE))
+        return false;
+    for (int i = 0; i < q->n; i++)
+        best = fmin(best, distance(s, m, s->pts[q->first + i].x));
+    return best < TIE;
+}
+
+/* Removes doubles; ends are in order, so candidates are near each other. */
+static void drop_doubles(links *l)
+{
+    ix__curves *s = l->s;
+    int kept = 0;
+
+    for (int i = 0; i < l->nends; i++) {
+        int a = l->order[i] / 2;
+
+        if (s->arc[a].n == 0)
+            continue;
+        for (int k = i + 1; k < l->nends; k++) {
+            int b = l->order[k] / 2;
+
+            if (end_point(s, l->order[k])[0] - end_point(s, l->order[i])[0] >
+                TIE * s->edge[0])
+                break;
+            if (b != a && s->arc[b].n > 0 && same_arc(s, a, b)) {
+                s->arc[b].first = s->arc[a].first;
+                s->arc[b].n = 0;
+                break;
+            }
+        }
+    }
+    for (int a = 0; a < s->narcs; a++)
+        if (s->arc[a].n > 0)
+            s->arc[kept++] = s->arc[a];
+    s->narcs = kept;
+    l->nends = 2 * kept;
+    for (int i = 0; i < l->nends; i++)
+        l->order[i] = i;
+    sort_ends(l);
+}
+
+static ix_status make_links(ix__curves *s, links *l)
+{
+    *l = (links){.s = s, .nends = 2 * s->narcs};
+    IX_SCRATCH(s->ctx, l->order, l->nends);
+    IX_SCRATCH(s->ctx, l->partner, l->nends);
+    IX_SCRATCH(s->ctx, l->single, l->nends);
+    for (int e = 0; e < l->nends; e++)
+        l->order[e] = e;
+    sort_ends(l);
+    drop_doubles(l);
+    for (int e = 0; e < l->nends; e++)
+        l->partner[e] = -1;
+    find_partners(l);
+    for (int e = 0; e < l->nends; e++)
+        l->single[e] = l->partner[e] < 0 ? at_singular(s, end_point(s, e)) : -1;
+    return IX_OK;
+}
+
+/* --- output
+ * ------------------------------------------------------------------------ */
+
+typedef struct {
+    ix_solution_curves *out;
+    double *x;  /* next free vertex */
+    bool *used; /* [narcs] */
+} writer;
+
+/* Vertices of arc a, from its end e on, without the first if skip. */
+static void put_arc(writer *w, const ix__curves *s, int e, bool skip,
+                    ix_solution_curve *c)
+{
+    const ix__arc *a = &s->arc[e / 2];
+
+    for (int i = skip; i < a->n; i++) {
+        int k = e % 2 ? a->first + a->n - 1 - i : a->first + i;
+
+        memcpy(w->x, s->pts[k].x, (size_t)s->n * sizeof *w->x);
+        w->x += s->n;
+        c->n++;
+    }
+}
+
+/* The curve that starts with end e of its first arc. */
+static void put_curve(writer *w, const links *l, int e)
+{
+    const ix__curves *s = l->s;
+    ix_solution_curve *c = &w->out->curve[w->out->ncurves++];
+    int last = e;
+
+    *c = (ix_solution_curve){
+        .x = w->x, .start_singular = l->single[e], .end_singular = -1};
+    c->start = l->partner[e] < 0 ? kind_of_end(l, e) : IX_END_CLOSED;
+    for (int a = e; a >= 0 && !w->used[a / 2]; a = l->partner[a ^ 1]) {
+        w->used[a / 2] = true;
+        put_arc(w, s, a, c->n > 0, c);
+        last = a ^ 1;
+    }
+    c->end = l->partner[last] < 0 ? kind_of_end(l, last) : IX_END_CLOSED;
+    c->end_singular = l->single[last];
+    if (c->end == IX_END_CLOSED) /* the very same numbers */
+        memcpy(w->x - s->n, c->x, (size_t)s->n * sizeof *w->x);
+}
+
+static ix_status allocate(ix__curves *s, ix_solution_curves *out, double **x)
+{
+    size_t nc = (size_t)s->narcs, ns = (size_t)s->singular.n, nx = 0;
+    unsigned char *p;
+
+    for (int a = 0; a < s->narcs; a++)
+        nx += (size_t)s->arc[a].n * (size_t)s->n;
+    out->bytes = nx * sizeof **x + nc * sizeof *out->curve +
+                 ns * (sizeof *out->singular + sizeof *out->arcs);
+    if (out->bytes == 0)
+        return IX_OK;
+    p = ix__alloc(s->ctx, out->bytes);
+    if (!p)
+        return IX_ENOMEM;
+    out->singular = (void *)p;
+    p += ns * sizeof *out->singular;
+    *x = (void *)p;
+    p += nx * sizeof **x;
+    out->curve = (void *)p;
+    p += nc * sizeof *out->curve;
+    out->arcs = (void *)p;
+    return IX_OK;
+}
+
+ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out)
+{
+    writer w = {.out = out};
+    links l;
+
+    IX_TRY(ix__found_merge(&s->singular, s->n, s->edge));
+    IX_TRY(make_links(s, &l));
+    IX_SCRATCH_ZERO(s->ctx, w.used, s->narcs);
+    IX_TRY(allocate(s, out, &w.x));
+    for (int i = 0; i < s->singular.n; i++) {
+        out->singular[i] = s->singular.sol[i];
+        out->arcs[i] = 0;
+    }
+    out->nsingular = s->singular.n;
+    for (int e = 0; e < l.nends; e++)
+        if (l.single[e] >= 0)
+            out->arcs[l.single[e]]++;
+    for (int i = 0; i < l.nends; i++) /* open ends first, then loops */
+        if (l.partner[l.order[i]] < 0 && !w.used[l.order[i] / 2])
+            put_curve(&w, &l, l.order[i]);
+    for (int i = 0; i < l.nends; i++)
+        if (!w.used[l.order[i] / 2])
+            put_curve(&w, &l, l.order[i]);
+    return IX_OK;
+}
