@@ -242,7 +242,14 @@ static bool add_face_point(const ix__curves *s, int j, bool high,
     return true;
 }
 
-/* n = 2: the face is an edge with one polynomial. *ok false: undecided. */
+static bool on_boundary(const ix__curves *s, const ix__box *b, int j, bool high)
+{
+    return high ? b->hi[j] >= s->hi[j] : b->lo[j] <= s->lo[j];
+}
+
+/* n = 2: the face is an edge with one polynomial. *ok false: undecided. A
+ * touching root inside the domain is undecided too: another cut will miss it,
+ * or it comes from branches that the coefficients cannot tell apart. */
 static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
 {
@@ -261,7 +268,8 @@ static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
             *ok &= add_face_point(s, j, high, &y, list, count);
         for (int i = 0; i < r.n; i++) {
             y = r.root[i].s;
-            *ok &= add_face_point(s, j, high, &y, list, count);
+            *ok &= (r.root[i].count == 1 || on_boundary(s, b, j, high)) &&
+                   add_face_point(s, j, high, &y, list, count);
         }
         y = 1;
         if (r.zeros1)
