@@ -16,7 +16,7 @@ B       := build/$(CFG)$(if $(filter cc gcc,$(CCNAME)),,-$(CCNAME))
 Q       := $(if $(filter 1,$(V)),,@)
 
 # --- packages ----------------------------------------------------------------
-PACKAGES := build-essential pkg-config zlib1g-dev libcmocka-dev python3
+PACKAGES := build-essential pkg-config zlib1g-dev libcmocka-dev libflint-dev python3
 PKGS     := zlib
 
 # --- flags -------------------------------------------------------------------
@@ -35,7 +35,10 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+# Exact arithmetic in tests only, as an independent truth; left out if absent.
+FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
+TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
 LIBS         = $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 
@@ -91,7 +94,7 @@ $(B)/iritx: $(call obj,$(APP_SRC)) $(LIB)
 	@echo "  LD    $@"
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 $(TESTS): %: %.o $(call obj,$(HARNESS)) $(LIB)
-	$(Q)$(LINK) $^ $(LIBS) -lcmocka -o $@
+	$(Q)$(LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
 $(call bin,$(BENCH_SRC)): %: %.o $(LIB)
 	$(Q)$(LINK) $^ $(LIBS) -o $@
 
