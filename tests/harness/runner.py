@@ -40,8 +40,9 @@ def environment(**extra):
     """The caller's, without what would change output, with strict sanitizers."""
     env = {k: v for k, v in os.environ.items()
            if not k.startswith(('LC_', 'LANG', 'IRITX_', 'IRIT_'))}
-    env['ASAN_OPTIONS'] = 'detect_leaks=1:allocator_may_return_null=1'
-    env['UBSAN_OPTIONS'] = 'print_stacktrace=1'
+    env['ASAN_OPTIONS'] = 'detect_leaks=1:allocator_may_return_null=1:exitcode=99'
+    env['UBSAN_OPTIONS'] = 'print_stacktrace=1:exitcode=99'
+    env['LSAN_OPTIONS'] = 'exitcode=99'
     env.update(extra)
     return env
 
