@@ -78,7 +78,6 @@ static ix_status inflate_failed(const z_stream *z, const char *name, int code)
 static ix_status inflate_member(z_stream *z, const char *name, size_t n,
                                 char *chunk, ix_buf *out)
 {
-    size_t start = out->len;
     int code;
 
     do {
@@ -89,7 +88,7 @@ static ix_status inflate_member(z_stream *z, const char *name, size_t n,
             return inflate_failed(z, name, code);
         ix__buf_add(out, chunk, CHUNK - z->avail_out);
         IX_TRY(ix__buf_check(out));
-        IX_TRY(check_limits(z, name, n, out->len - start));
+        IX_TRY(check_limits(z, name, n, out->len));
     } while (code != Z_STREAM_END);
     return IX_OK;
 }

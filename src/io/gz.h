@@ -12,9 +12,9 @@
 
 bool ix__gz_is(const char *data, size_t n); /* by the first two bytes */
 
-/* Appends the contents of all members, each with its checksum and length
- * verified. Err IX_EPARSE (message begins with name) cut short, corrupt,
- * garbage behind it, over a limit; IX_ENOMEM; IX_ECANCEL. */
+/* Appends the contents of all members to the empty *out, each with its checksum
+ * and length verified. Err IX_EPARSE (message begins with name) cut short,
+ * corrupt, garbage behind it, over a limit; IX_ENOMEM; IX_ECANCEL. */
 ix_status ix__gz_inflate(ix_ctx *ctx, const char *name, const char *data,
                          size_t n, ix_buf *out) IX_MUST_CHECK;
 /* Appends one member; the bytes depend on the data only. */

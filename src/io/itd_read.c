@@ -322,22 +322,6 @@ static ix_status read_body(ix__lex *l, ix_obj **out)
     return st;
 }
 
-static ix_status object_attr(ix__lex *l, const ix__token *name, void *arg,
-                             bool *taken)
-{
-    ix__token t;
-    double v;
-
-    (void)arg;
-    (void)taken;
-    if (!ix__token_is(name, "COLOR"))
-        return IX_OK;
-    IX_TRY(ix__lex_peek(l, &t));
-    if (t.kind == IX_T_WORD && ix_num_parse(t.s, t.end, &v) == t.end)
-        return IX_OK;
-    return ix__lex_unexpected(l, &t, "number of a COLOR");
-}
-
 /* A quoted word in the place of the name leaves the object unnamed. */
 static ix_status read_name(ix__lex *l, char **name)
 {
@@ -357,7 +341,7 @@ static ix_status read_object(ix__lex *l, ix_attr **attrs, ix_obj **out)
     ix_status st;
 
     IX_TRY(ix__poll(l->ctx));
-    IX_TRY(ix__itdr_attrs(l, attrs, object_attr, NULL));
+    IX_TRY(ix__itdr_attrs(l, attrs, NULL, NULL));
     IX_TRY(read_name(l, &name));
     IX_TRY(read_body(l, out));
     st = ix__lex_close(l, "] of the object");

@@ -52,13 +52,14 @@ static ix_status read_trimseg(ix__lex *l, ix_trimseg *s)
 
 static ix_status read_trimloop(ix__lex *l, ix_trimloop *loop)
 {
-    const char *at = l->p;
+    ix__token open;
     int words, n;
 
+    IX_TRY(ix__lex_peek(l, &open));
     IX_TRY(need_bracket(l, "TRIMCRV"));
     IX_TRY(count_items(l, &words, &n));
     if (n == 0)
-        return ix__lex_fail(l, at, "TRIMCRV holds no TRIMCRVSEG");
+        return ix__lex_fail(l, open.s, "TRIMCRV holds no TRIMCRVSEG");
     IX_TRY(ix__trimloop_segs(l->ctx, loop, n));
     for (int i = 0; i < n; i++)
         IX_TRY(read_trimseg(l, &loop->seg[i]));
@@ -120,13 +121,14 @@ static ix_status read_loop(ix__lex *l, ix_model_srf *s, int loop, int nseg)
 
 static ix_status read_model_srf(ix__lex *l, ix_model *m, ix_model_srf *s)
 {
-    const char *at = l->p;
+    ix__token open;
     int n;
 
+    IX_TRY(ix__lex_peek(l, &open));
     IX_TRY(need_bracket(l, "MDLTSRF"));
     IX_TRY(ix__lex_int(l, "the number of loops", 0, INT32_MAX, &n));
     IX_TRY(ix__itdr_whole_mv(l, IX_OBJ_SURFACE, &s->srf));
-    IX_TRY(ix__lex_room(l, at, n, 9, "loops")); /* "[MDLLOOP]" */
+    IX_TRY(ix__lex_room(l, open.s, n, 9, "loops")); /* "[MDLLOOP]" */
     IX_TRY(ix__model_loops(l->ctx, s, n));
     for (int i = 0; i < n; i++)
         IX_TRY(read_loop(l, s, i, m->nseg));
@@ -159,16 +161,17 @@ static ix_status read_model(ix__lex *l, ix_model *m)
 
 ix_status ix__itdr_model(ix__lex *l, const void **out)
 {
-    const char *at = l->p;
     int nsrf, nseg;
+    ix__token t;
     ix_model *m;
     ix_status st;
 
     *out = NULL;
+    IX_TRY(ix__lex_peek(l, &t));
     IX_TRY(ix__lex_int(l, "the number of surfaces", 1, INT32_MAX, &nsrf));
     IX_TRY(ix__lex_int(l, "the number of segments", 0, INT32_MAX, &nseg));
-    IX_TRY(ix__lex_room(l, at, nsrf, 10, "surfaces")); /* "[MDLTSRF 0" ... */
-    IX_TRY(ix__lex_room(l, at, nseg, 15, "segments")); /* "[MDLTSEG 0 0 0]" */
+    IX_TRY(ix__lex_room(l, t.s, nsrf, 10, "surfaces")); /* "[MDLTSRF 0" ... */
+    IX_TRY(ix__lex_room(l, t.s, nseg, 15, "segments")); /* "[MDLTSEG 0 0 0]" */
     m = ix__model_new(l->ctx, nsrf, nseg);
     if (!m)
         return IX_ENOMEM;

@@ -249,30 +249,18 @@ static ix_status read_header(ix__lex *l, ix_obj_type type, header *h)
 
 /* --- weights ---------------------------------------------------------- */
 
-/* No point may be all zero, nor all weights; a single zero weight is a point
- * at infinity. Power bases have coefficients, which may vanish. */
-static ix_status check_weights(ix__lex *l, const header *h, const double *pts)
+/* Legal, but operators may refuse: the curve goes through infinity. Weights of
+ * a power basis are coefficients, whose signs say nothing. */
+static void warn_of_signs(ix__lex *l, const header *h, const double *weights)
 {
     double lo = HUGE_VAL, hi = -HUGE_VAL;
 
     for (size_t i = 0; i < h->npts; i++) {
-        int a = 0;
-
-        lo = fmin(lo, pts[i]);
-        hi = fmax(hi, pts[i]);
-        while (a < h->naxes && pts[(size_t)a * h->npts + i] == 0)
-            a++;
-        if (a == h->naxes)
-            return ix__lex_fail(l, h->at,
-                                "control point %zu is zero in its weight and "
-                                "all coordinates",
-                                i + 1);
+        lo = fmin(lo, weights[i]);
+        hi = fmax(hi, weights[i]);
     }
-    if (lo == 0 && hi == 0)
-        return ix__lex_fail(l, h->at, "all weights are zero");
     if (lo < 0 && hi > 0)
         ix__lex_warn(l, h->at, "weights change sign (%g .. %g)", lo, hi);
-    return IX_OK;
 }
 
 static ix_status read_mv(ix__lex *l, ix_obj_type type, ix_mv **out)
@@ -284,11 +272,12 @@ static ix_status read_mv(ix__lex *l, ix_obj_type type, ix_mv **out)
     IX_SCRATCH(l->ctx, pts, h.npts * (size_t)h.naxes);
     IX_TRY(ix__itdr_points(l, h.naxes, h.npts, pts));
     IX_TRY(ix__lex_close(l, "] behind the last control point"));
-    if (h.rational && h.basis != IX_POWER)
-        IX_TRY(check_weights(l, &h, pts));
-    return at_place(
+    IX_TRY(at_place(
         l, h.at,
-        ix_mv_new(l->ctx, h.ndirs, h.dirs, h.ncoords, h.rational, pts, out));
+        ix_mv_new(l->ctx, h.ndirs, h.dirs, h.ncoords, h.rational, pts, out)));
+    if (h.rational && h.basis != IX_POWER)
+        warn_of_signs(l, &h, pts);
+    return IX_OK;
 }
 
 ix_status ix__itdr_mv(ix__lex *l, ix_obj_type type, const void **out)

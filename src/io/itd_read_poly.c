@@ -87,12 +87,13 @@ static void complete(ix_polygon *pg)
 
 static ix_status read_polygon(ix__lex *l, ix_polygon *pg)
 {
-    const char *at = l->p;
+    ix__token t;
     int n;
 
     IX_TRY(ix__itdr_attrs(l, &pg->attrs, polygon_attr, pg));
+    IX_TRY(ix__lex_peek(l, &t));
     IX_TRY(ix__lex_int(l, "the number of vertices", 1, INT32_MAX, &n));
-    IX_TRY(ix__lex_room(l, at, n, 7, "vertices")); /* "[0 0 0]" */
+    IX_TRY(ix__lex_room(l, t.s, n, 7, "vertices")); /* "[0 0 0]" */
     IX_TRY(ix__poly_vertices(l->ctx, pg, n));
     for (int i = 0; i < n; i++) {
         if (i % 4096 == 0)

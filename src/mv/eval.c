@@ -4,10 +4,9 @@
 #include "bsp/basis.h"
 #include "mv/window.h"
 
-bool ix__mv_extrapolates(const ix_mv *m, int d)
+/* Bezier curves and surfaces (also as B-splines of one span) extrapolate. */
+static bool extrapolates(const ix_mv *m, const ix_dir *dir)
 {
-    const ix_dir *dir = m->dirs + d;
-
     if (m->ndirs > 2)
         return false;
     return dir->basis != IX_BSPLINE ||
@@ -18,7 +17,7 @@ ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d, double *t)
 {
     double dom[2], slack;
 
-    if (isfinite(*t) && ix__mv_extrapolates(m, d))
+    if (isfinite(*t) && extrapolates(m, m->dirs + d))
         return IX_OK;
     ix__dir_domain(m->dirs + d, dom);
     slack = 1e-5 * (dom[1] - dom[0]); /* spec/model 6 */

@@ -189,15 +189,16 @@ ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,
     return IX_OK;
 }
 
-/* Finite; if rational, no point that is 0 in every axis. */
-static ix_status check_points(ix_ctx *ctx, int naxes, bool rational,
+/* Finite; if rational, no point that is 0 in every axis (coefficients of a
+ * power basis may vanish), and not all weights 0. */
+static ix_status check_points(ix_ctx *ctx, int naxes, bool rational, bool power,
                               size_t npts, const double *pts)
 {
     for (size_t i = 0; i < (size_t)naxes * npts; i++)
         if (!isfinite(pts[i]))
             return IX_FAIL(ctx, IX_EARG, "point %zu: coordinate %d is %g",
                            i % npts, (int)(i / npts), pts[i]);
-    for (size_t i = 0; rational && i < npts; i++) {
+    for (size_t i = 0; rational && !power && i < npts; i++) {
         int a = 0;
 
         while (a < naxes && pts[(size_t)a * npts + i] == 0)
@@ -235,13 +236,16 @@ ix_status ix_mv_new(ix_ctx *ctx, int ndirs, const ix_dir *dirs, int ncoords,
 {
     int naxes = ncoords + rational;
     size_t npts;
+    bool power = false;
     ix_mv *m;
 
     *out = NULL;
     IX_TRY(ix__mv_check_dirs(ctx, ndirs, dirs, ncoords));
+    for (int d = 0; d < ndirs; d++)
+        power = power || dirs[d].basis == IX_POWER;
     if (!count_points(ndirs, dirs, &npts) || npts > SIZE_MAX / 256)
         return IX_FAIL(ctx, IX_EARG, "the product of the lengths is too large");
-    IX_TRY(check_points(ctx, naxes, rational, npts, pts));
+    IX_TRY(check_points(ctx, naxes, rational, power, npts, pts));
     IX_TRY(ix__mv_alloc(ctx, ndirs, dirs, ncoords, rational, &m));
     for (int d = 0; d < ndirs; d++)
         ix__mv_join_knots(m->dirs + d, ix__mv_knots(m, d));
