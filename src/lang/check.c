@@ -134,7 +134,7 @@ static ix_status count_of_args(checker *k, const ix__node *n)
 {
     const ix__sig *s = &n->u.bi->sig;
     const ix_builtin *row = n->u.bi->row;
-    char count[32];
+    char count[32], sig[300];
 
     if (n->n >= s->nmin && (s->nmax < 0 || n->n <= s->nmax))
         return IX_OK;
@@ -145,7 +145,8 @@ static ix_status count_of_args(checker *k, const ix__node *n)
     else
         (void)snprintf(count, sizeof count, "%d", s->nmin);
     return FAIL(k, n, "%s takes %s argument%s, got %d: %s", row->name, count,
-                s->nmin == 1 && s->nmax == 1 ? "" : "s", n->n, row->signature);
+                s->nmin == 1 && s->nmax == 1 ? "" : "s", n->n,
+                ix__sig_text(row, sig, sizeof sig));
 }
 
 static ix_status builtin_call(checker *k, ix__node *n)

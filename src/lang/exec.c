@@ -91,6 +91,13 @@ ix_status ix__assign(ix_interp *in, ix__node *n)
 /* --- printing
  * ------------------------------------------------------------------------- */
 
+/* References to the value besides ours, as the header line shows them; a
+ * literal belongs to nobody. */
+static int holders(const ix__node *n, const ix_obj *o)
+{
+    return n->kind == N_NUM || n->kind == N_STR ? 0 : o->refs - 1;
+}
+
 static ix_status print(ix_interp *in, ix__node *n)
 {
     ix_obj *o;
@@ -108,7 +115,7 @@ static ix_status print(ix_interp *in, ix__node *n)
     } else {
         IX_TRY(ix__eval_box(in, n, &o));
     }
-    st = ix__print_value(in, o, o->refs - 1);
+    st = ix__print_value(in, o, holders(n, o));
     ix__obj_unref(in->ctx, o);
     return st == IX_OK ? st : ix__at(in, in->unit, n->pos);
 }

@@ -73,6 +73,7 @@ struct ix_interp {
     int nerrors, nshown;
 
     FILE *out, *log; /* NULL: standard output; no log */
+    FILE *err;       /* messages; NULL: standard error */
     char *log_name;
     bool log_on, out_failed;
     ix_buf text; /* of the value being printed */

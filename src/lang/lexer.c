@@ -4,6 +4,7 @@
  * one follows without a separator. Every line that a token stands on is kept
  * in the unit, so that messages can show it. */
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "lang/interp_impl.h"
@@ -13,30 +14,12 @@ typedef struct {
     ix__reader *rd;
     ix__unit *u;
     ix_status st; /* of reading a line */
+    bool quoted;  /* inside a string */
+    bool comment; /* inside a COMMENT block */
 } lexer;
 
 /* --- characters ------------------------------------------------------------
  */
-
-/* The next character without consuming it, 0 at the end of input. */
-static int peek(lexer *lx)
-{
-    ix__reader *rd = lx->rd;
-
-    while (rd->pos >= rd->line.len) {
-        bool more = false;
-
-        if (lx->st == IX_OK)
-            lx->st = ix__reader_line(rd, &more);
-        if (lx->st == IX_OK && more)
-            lx->st = ix__unit_add_line(lx->u, rd->file, rd->number,
-                                       rd->line.data ? rd->line.data : "",
-                                       rd->line.len);
-        if (lx->st != IX_OK || !more)
-            return 0;
-    }
-    return (unsigned char)rd->line.data[rd->pos];
-}
 
 static ix__pos here(const lexer *lx)
 {
@@ -49,8 +32,61 @@ static ix_status fail(lexer *lx, ix__pos pos, const char *text)
     if (lx->st != IX_OK)
         return lx->st;
     (void)IX_FAIL(lx->rd->in->ctx, IX_EPARSE, "%s", text);
-    (void)ix__at(lx->rd->in, lx->u, pos);
-    return IX_EPARSE;
+    lx->st = ix__at(lx->rd->in, lx->u, pos);
+    return lx->st;
+}
+
+/* The present line was cut short by a byte that is no printable character. In
+ * a comment nobody minds; elsewhere the rest is ignored with a warning; a
+ * string would lose its end. */
+static void cut_short(lexer *lx)
+{
+    char text[120];
+    int c = lx->rd->cut;
+
+    lx->rd->cut = -1;
+    if (lx->comment)
+        return;
+    if (lx->quoted) {
+        (void)snprintf(text, sizeof text,
+                       "byte 0x%02X is not allowed in a string: use ASCII only",
+                       (unsigned)c);
+        (void)fail(lx, here(lx), text);
+        return;
+    }
+    (void)snprintf(text, sizeof text,
+                   "the rest of the line is ignored: byte 0x%02X is no printable "
+                   "character",
+                   (unsigned)c);
+    ix__complain(lx->rd->in, lx->u, here(lx), false, text);
+}
+
+/* The next line becomes the present one; false at the end of input. */
+static bool next_line(lexer *lx)
+{
+    ix__reader *rd = lx->rd;
+    bool more = false;
+
+    if (rd->cut >= 0)
+        cut_short(lx);
+    if (lx->st == IX_OK)
+        lx->st = ix__reader_line(rd, &more);
+    if (lx->st == IX_OK && more)
+        lx->st = ix__unit_add_line(lx->u, rd->file, rd->number,
+                                   rd->line.data ? rd->line.data : "",
+                                   rd->line.len);
+    return lx->st == IX_OK && more;
+}
+
+/* The next character without consuming it, 0 at the end of input. */
+static int peek(lexer *lx)
+{
+    ix__reader *rd = lx->rd;
+
+    while (rd->pos >= rd->line.len)
+        if (!next_line(lx))
+            return 0;
+    return (unsigned char)rd->line.data[rd->pos];
 }
 
 /* Blanks and "#" comments. */
@@ -59,10 +95,11 @@ static int skip_blanks(lexer *lx)
     int c;
 
     while ((c = peek(lx)) == ' ' || c == '#') {
-        if (c == '#')
+        lx->rd->pos++;
+        if (c == '#') {
             lx->rd->pos = lx->rd->line.len;
-        else
-            lx->rd->pos++;
+            lx->rd->cut = -1;
+        }
     }
     return c;
 }
@@ -72,6 +109,7 @@ static ix_status skip_comment(lexer *lx, ix__pos start)
 {
     int c, end;
 
+    lx->comment = true;
     while ((end = peek(lx)) == ' ')
         lx->rd->pos++;
     if (!end)
@@ -84,22 +122,25 @@ static ix_status skip_comment(lexer *lx, ix__pos start)
         lx->rd->pos++;
     }
     lx->rd->pos++;
+    lx->comment = false;
     return IX_OK;
 }
 
 /* --- tokens -----------------------------------------------------------------
  */
 
-/* A run of characters that may be broken over lines. The token stays within
- * max characters. */
-static ix_status keep(lexer *lx, ix_buf *b, size_t max, ix__pos pos,
-                      const char *what)
+/* Takes character c into a token of at most max characters. */
+static ix_status keep(lexer *lx, ix_buf *b, int c, size_t max, ix__pos pos)
 {
-    if (b->len > max)
-        return fail(lx, pos, what);
-    ix__buf_putc(b, (char)peek(lx));
+    char text[80];
+
+    ix__buf_putc(b, (char)c);
     lx->rd->pos++;
-    return ix__buf_check(b);
+    if (b->len <= max)
+        return IX_OK;
+    (void)snprintf(text, sizeof text, "this %s is longer than %zu characters",
+                   lx->quoted ? "string" : "name or number", max);
+    return fail(lx, pos, text);
 }
 
 static ix_status read_number(lexer *lx, ix_buf *b, ix__token *t)
@@ -109,10 +150,11 @@ static ix_status read_number(lexer *lx, ix_buf *b, ix__token *t)
 
     while (c = peek(lx), isdigit(c) || c == '.' || c == 'e' || c == 'E' ||
                              (c == '-' && (last == 'e' || last == 'E'))) {
-        IX_TRY(keep(lx, b, IX_MAX_NAME, t->pos, "number is too long"));
+        IX_TRY(keep(lx, b, c, IX_MAX_NAME, t->pos));
         last = c;
     }
     IX_TRY(lx->st);
+    IX_TRY(ix__buf_check(b));
     end = ix_num_parse(b->data, b->data + b->len, &t->num);
     /* "1.5E" is 1.5: the sign after E may only be a minus. */
     if (!end || (*end && (toupper((unsigned char)*end) != 'E' || end[1])))
@@ -127,12 +169,8 @@ static ix_status read_name(lexer *lx, ix_buf *b, ix__token *t)
 {
     int c;
 
-    while (c = peek(lx), isalnum(c) || c == '_') {
-        if (b->len >= IX_MAX_NAME)
-            return fail(lx, t->pos, "name is longer than 255 characters");
-        ix__buf_putc(b, (char)toupper(c));
-        lx->rd->pos++;
-    }
+    while (c = peek(lx), isalnum(c) || c == '_')
+        IX_TRY(keep(lx, b, toupper(c), IX_MAX_NAME, t->pos));
     IX_TRY(lx->st);
     IX_TRY(ix__buf_check(b));
     t->kind = T_NAME;
@@ -144,6 +182,7 @@ static ix_status read_string(lexer *lx, ix_buf *b, ix__token *t)
     int c;
 
     lx->rd->pos++;
+    lx->quoted = true;
     while ((c = peek(lx)) != '"') {
         if (c == '\\') {
             lx->rd->pos++;
@@ -151,10 +190,10 @@ static ix_status read_string(lexer *lx, ix_buf *b, ix__token *t)
         }
         if (!c)
             return fail(lx, t->pos, "string is never closed (the input ends)");
-        IX_TRY(keep(lx, b, IX_MAX_STRING, t->pos,
-                    "string is longer than 65536 characters"));
+        IX_TRY(keep(lx, b, c, IX_MAX_STRING, t->pos));
     }
     lx->rd->pos++;
+    lx->quoted = false;
     t->kind = T_STRING;
     return ix__buf_check(b);
 }
@@ -247,17 +286,17 @@ static ix_status lex(lexer *lx, ix__token *t)
 
 ix_status ix__lex(ix__reader *rd, ix__unit *u, ix__token *t)
 {
-    lexer lx = {rd, u, IX_OK};
+    lexer lx = {.rd = rd, .u = u};
 
     return lex(&lx, t);
 }
 
 ix_status ix__lex_begin(ix__reader *rd, ix__unit *u)
 {
-    if (!ix__reader_line_left(rd))
+    if (!ix__reader_line_left(rd) && rd->cut < 0)
         return IX_OK;
-    return ix__unit_add_line(u, rd->file, rd->number, rd->line.data,
-                             rd->line.len);
+    return ix__unit_add_line(u, rd->file, rd->number,
+                             rd->line.data ? rd->line.data : "", rd->line.len);
 }
 
 void ix__lex_skip(ix__reader *rd)

@@ -2,8 +2,9 @@
  *
  * A reader is a stack of sources (the script, the files it includes) seen as
  * a sequence of physical lines. Newlines are discarded, so a token may be
- * broken over lines; tabs become blanks; a byte that is no printable ASCII
- * character ends its line. An included source is read once the present line
+ * broken over lines; tabs become blanks. A byte that is no printable ASCII
+ * character ends its line: the rest of a comment may be in any encoding, code
+ * may not. An included source is read once the present line
  * is used up. */
 #ifndef LANG_LEXER_IMPL_H
 #define LANG_LEXER_IMPL_H
@@ -13,7 +14,6 @@
 #include "lang/ast_impl.h"
 
 #define IX_MAX_INCLUDE 10
-#define IX_MAX_LINE    (1u << 20) /* characters of a physical line */
 #define IX_MAX_STRING  65536u
 #define IX_MAX_NAME    255u
 
@@ -34,6 +34,7 @@ typedef struct {
     ix_buf line; /* the present line, tabs expanded */
     ix_buf word; /* of the lexer: the token under way */
     size_t pos;
+    int cut; /* the byte that ended the line early; -1: none */
     const char *file;
     int number;
     bool add_semicolon; /* a missing last ';' is supplied (-e, EXEC) */

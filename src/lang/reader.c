@@ -12,7 +12,7 @@
 
 void ix__reader_init(ix__reader *rd, ix_interp *in)
 {
-    *rd = (ix__reader){.in = in, .file = ""};
+    *rd = (ix__reader){.in = in, .cut = -1, .file = ""};
     ix__buf_init(&rd->line, in->ctx);
     ix__buf_init(&rd->word, in->ctx);
 }
@@ -61,29 +61,22 @@ bool ix__reader_line_left(const ix__reader *rd)
     return false;
 }
 
-static ix_status too_long(ix__reader *rd)
-{
-    return IX_FAIL(rd->in->ctx, IX_EPARSE,
-                   "line %d of %s is longer than %u "
-                   "characters",
-                   rd->number, rd->file, IX_MAX_LINE);
-}
-
 /* Appends one character of the source; tabs go to the next multiple of 8.
- * False: the rest of the line does not count. */
-static bool add_char(ix_buf *line, int c)
+ * After a byte that ends the line nothing is appended. */
+static void add_char(ix__reader *rd, int c)
 {
+    if (rd->cut >= 0)
+        return;
     if (c == '\t')
-        ix__buf_fill(line, ' ', 8 - line->len % 8);
+        ix__buf_fill(&rd->line, ' ', 8 - rd->line.len % 8);
     else if (c < ' ' || c > '~')
-        return false;
+        rd->cut = c;
     else
-        ix__buf_putc(line, (char)c);
-    return true;
+        ix__buf_putc(&rd->line, (char)c);
 }
 
 /* One line of a text; false at its end. */
-static bool text_line(ix__source *s, ix_buf *line)
+static bool text_line(ix__reader *rd, ix__source *s)
 {
     const char *start = s->text + s->pos, *end;
     size_t n;
@@ -93,23 +86,21 @@ static bool text_line(ix__source *s, ix_buf *line)
     end = memchr(start, '\n', s->n - s->pos);
     n = end ? (size_t)(end - start) : s->n - s->pos;
     s->pos += n + (end != NULL);
-    for (size_t i = 0; i < n && line->len <= IX_MAX_LINE; i++)
-        if (!add_char(line, (unsigned char)start[i]))
-            break;
+    for (size_t i = 0; i < n && rd->cut < 0; i++)
+        add_char(rd, (unsigned char)start[i]);
     return true;
 }
 
 /* One line of standard input; false at its end. */
-static bool stdin_line(ix__reader *rd, ix_buf *line)
+static bool stdin_line(ix__reader *rd)
 {
-    bool counts = true, any = false;
+    bool any = false;
     int c;
 
     ix__flush(rd->in);
     while ((c = getc(stdin)) != EOF && c != '\n') {
         any = true;
-        if (line->len <= IX_MAX_LINE)
-            counts = counts && add_char(line, c);
+        add_char(rd, c);
     }
     return any || c == '\n';
 }
@@ -119,10 +110,8 @@ static ix_status present_line(ix__reader *rd, const ix__source *s)
     rd->file = s->name;
     rd->number = s->line;
     IX_TRY(ix__buf_check(&rd->line));
-    if (rd->line.len > IX_MAX_LINE) {
-        rd->line.len = 0;
-        return too_long(rd);
-    }
+    if (rd->cut == '\r')
+        rd->cut = -1; /* lines may end as on other systems */
     if (rd->in->states.echo_source && !rd->add_semicolon) {
         ix__out(rd->in, rd->line.data, rd->line.len);
         ix__out(rd->in, "\n", 1);
@@ -134,12 +123,13 @@ ix_status ix__reader_line(ix__reader *rd, bool *more)
 {
     ix__buf_clear(&rd->line);
     rd->pos = 0;
+    rd->cut = -1;
     *more = false;
     while (rd->n) {
         ix__source *s = &rd->src[rd->n - 1];
 
         s->line++;
-        *more = s->text ? text_line(s, &rd->line) : stdin_line(rd, &rd->line);
+        *more = s->text ? text_line(rd, s) : stdin_line(rd);
         IX_TRY(ix__poll(rd->in->ctx));
         if (*more)
             return present_line(rd, s);

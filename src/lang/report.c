@@ -74,8 +74,13 @@ static void forget(ix_interp *in)
 /* --- printing
  * ------------------------------------------------------------------------- */
 
+static FILE *errors_to(const ix_interp *in)
+{
+    return in->err ? in->err : stderr;
+}
+
 /* The source line around the column, and a caret under it. */
-static void show_line(const char *text, unsigned col)
+static void show_line(FILE *f, const char *text, unsigned col)
 {
     size_t n = strlen(text), start = 0, at = col ? col - 1 : 0;
 
@@ -84,34 +89,34 @@ static void show_line(const char *text, unsigned col)
         start = start > n - WINDOW ? n - WINDOW : start;
         n = WINDOW;
     }
-    (void)fprintf(stderr, "  %.*s\n  %*s^\n", (int)n, text + start,
+    (void)fprintf(f, "  %.*s\n  %*s^\n", (int)n, text + start,
                   (int)(at - start), "");
 }
 
 typedef enum { HARD, SOFT, REMARK } kind;
 
-static void show_message(const ix__unit *u, ix__pos pos, kind k,
+static void show_message(FILE *f, const ix__unit *u, ix__pos pos, kind k,
                          const char *text)
 {
     const char *word = k == REMARK ? "warning" : "error";
     const char *tail = k == SOFT ? " (the script goes on)" : "";
 
     if (!u || pos.line >= u->nlines) {
-        (void)fprintf(stderr, "iritx: %s: %s%s\n", word, text, tail);
+        (void)fprintf(f, "iritx: %s: %s%s\n", word, text, tail);
         return;
     }
-    (void)fprintf(stderr, "%s:%d:%u: %s: %s%s\n", u->line[pos.line].file,
+    (void)fprintf(f, "%s:%d:%u: %s: %s%s\n", u->line[pos.line].file,
                   u->line[pos.line].number, pos.col, word, text, tail);
-    show_line(u->line[pos.line].text, pos.col);
+    show_line(f, u->line[pos.line].text, pos.col);
 }
 
-static void show_trace(const ix__place *p)
+static void show_trace(FILE *f, const ix__place *p)
 {
     for (int i = 0; i < p->ntrace; i++)
-        (void)fprintf(stderr, "  in %s, called from %s:%d\n", p->trace[i].fn,
+        (void)fprintf(f, "  in %s, called from %s:%d\n", p->trace[i].fn,
                       p->trace[i].file, p->trace[i].line);
     if (p->nmore > 0)
-        (void)fprintf(stderr, "  and %d more calls\n", p->nmore);
+        (void)fprintf(f, "  and %d more calls\n", p->nmore);
 }
 
 /* True while messages are still shown; the last one says so. */
@@ -119,7 +124,7 @@ static bool count(ix_interp *in)
 {
     in->nerrors++;
     if (in->nshown == MAX_SHOWN)
-        (void)fprintf(stderr,
+        (void)fprintf(errors_to(in),
                       "iritx: more than %d errors; further ones are "
                       "counted, not shown\n",
                       MAX_SHOWN);
@@ -132,9 +137,9 @@ void ix__report(ix_interp *in, bool soft)
 
     ix__flush(in);
     if (count(in)) {
-        show_message(p->unit, p->pos, soft ? SOFT : HARD,
+        show_message(errors_to(in), p->unit, p->pos, soft ? SOFT : HARD,
                      ix_ctx_message(in->ctx));
-        show_trace(p);
+        show_trace(errors_to(in), p);
     }
     forget(in);
 }
@@ -144,7 +149,7 @@ void ix__complain(ix_interp *in, ix__unit *u, ix__pos pos, bool counts,
 {
     ix__flush(in);
     if (counts ? count(in) : !in->opt.quiet && in->nshown < MAX_SHOWN)
-        show_message(u, pos, counts ? SOFT : REMARK, text);
+        show_message(errors_to(in), u, pos, counts ? SOFT : REMARK, text);
 }
 
 void ix__remark(ix_interp *in, const char *fmt, ...)

@@ -327,7 +327,8 @@ static void consider(nearest *best, const char *wanted, const char *name,
 bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size)
 {
     nearest best = {.n = 0};
-    int limit = strlen(name) < 5 ? 1 : 2;
+    size_t len = strlen(name);
+    int limit = len < 3 ? 0 : len < 5 ? 1 : 2;
     const char *fn;
     const ix_builtin *row;
     size_t at = 0;

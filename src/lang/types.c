@@ -112,6 +112,23 @@ bool ix__sig_parse(const char *text, ix__sig *out)
     return parse_set(text, text + strlen(text), &out->result);
 }
 
+const char *ix__sig_text(const ix_builtin *row, char *buf, size_t size)
+{
+    const char *s = row->signature, *arrow = strstr(s, "->");
+    size_t at = (size_t)snprintf(buf, size, "%s(", row->name);
+
+    while (s < arrow && at < size) {
+        size_t n = strcspn(s, " ");
+
+        at += (size_t)snprintf(buf + at, size - at, "%.*s%s", (int)n, s,
+                               s + n + 1 < arrow ? ", " : "");
+        s += n + 1;
+    }
+    if (at < size)
+        (void)snprintf(buf + at, size - at, ") %s", arrow);
+    return buf;
+}
+
 ix__types ix__sig_arg(const ix__sig *s, int i)
 {
     return s->nmax < 0 && i >= s->nmin ? s->rest : s->arg[i];

@@ -35,6 +35,8 @@ typedef struct {
 
 /* False if text is not a signature of builtin.h. */
 bool ix__sig_parse(const char *text, ix__sig *out);
+/* "NAME(a:num, [b:num]) -> curve" into buf; returns buf. */
+const char *ix__sig_text(const ix_builtin *row, char *buf, size_t size);
 /* The set that argument i (0-based) must be in. */
 ix__types ix__sig_arg(const ix__sig *s, int i);
 /* "a number", "a curve or a surface", "a value" into buf; returns buf. */
