@@ -66,6 +66,13 @@ double ix__bern_value(int d, const double *c, double u, double v);
  * were such. */
 int ix__bern_variations(int n, const double *c, double band, bool *undecided);
 
+/* Parameters in (0, 1) where the polynomial with Bernstein coefficients
+ * b[0 .. d] changes sign, increasing, at most d of them; coefficients up to
+ * band count as zero, so that zeros it only touches, or runs along, are left
+ * out. work has room for 2 (d + 1). Returns their number. */
+int ix__bern_crossings(int d, const double *b, double band, double *work,
+                       double *out);
+
 /* --- products ------------------------------------------------------------- */
 
 /* How a product meets what stands in out. */

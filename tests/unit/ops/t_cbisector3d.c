@@ -31,8 +31,8 @@ static ix_mv *rand_curve(ix_ctx *ctx, ix_rng *r, int degree, bool rational,
 
         pts[i] = w;
         for (int k = 0; k < 3; k++)
-            p[k * n + i] =
-                w * (size * ix_rng_range(r, -1, 1) + (shift ? shift[k] : 0));
+            p[k * n + i] = w * (size * ix_rng_range(r, -1, 1) +
+                                (shift ? shift[k] : 0));
     }
     return make_curve(ctx, degree + 1, n, spans ? kv : NULL, rational, 3, pts);
 }
@@ -106,8 +106,8 @@ static void definition_holds(void **state)
         assert_int_equal(ix_mv_dir(s, 0).basis, n1 ? IX_BSPLINE : IX_BEZIER);
         res = worst_residual(ctx, &r, a, b, s);
         if (!(res <= 1e-12 && rep.residual <= 1e-12))
-            fail_msg("degrees %d %d rational %d %d spans %d %d: %g, %g", d1,
-                     d2, q1, q2, n1, n2, res, rep.residual);
+            fail_msg("degrees %d %d rational %d %d spans %d %d: %g, %g", d1, d2,
+                     q1, q2, n1, n2, res, rep.residual);
         ix_mv_unref(ctx, a);
         ix_mv_unref(ctx, b);
         ix_mv_unref(ctx, s);
