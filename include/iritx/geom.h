@@ -210,6 +210,241 @@ ix_status ix_normal(ix_ctx *ctx, const ix_mv *crv, double t,
  * Err   IX_EARG rational, or fewer than two coordinates */
 ix_status ix_area(ix_ctx *ctx, const ix_mv *crv, ix_mv **out) IX_MUST_CHECK;
 
+/* --- lines, planes, conics, quadrics -------------------------------------- */
+
+/* The line nearest to points p[n][3]: the point of it nearest to the origin,
+ * its unit direction (from the first point towards the last), and the mean
+ * distance of the points from it.
+ *
+ * Err   IX_EARG fewer than 2 points; IX_EDOMAIN all are equal */
+ix_status ix_fit_line(ix_ctx *ctx, int n, const double *p, double point[3],
+                      double dir[3], double *dist) IX_MUST_CHECK;
+/* The plane (unit normal; the points run counter-clockwise around it) and the
+ * mean distance. Err IX_EARG fewer than 3 points; IX_EDOMAIN on one line. */
+ix_status ix_fit_plane(ix_ctx *ctx, int n, const double *p, double plane[4],
+                       double *dist) IX_MUST_CHECK;
+
+/* The conic A x^2 + B xy + C y^2 + D x + E y + F = 0, coef = A .. F, at
+ * height z, exactly.
+ *
+ * In    range  NULL: an ellipse as a whole, of a hyperbola (the branch towards
+ *              its positive axis) parameters -2 .. 2, of a parabola the part
+ *              up to four times its half width at the focus. Else the
+ *              parameters of the ends: for an ellipse the eccentric angles in
+ *              degrees (counter-clockwise), for a hyperbola u in (a cosh u,
+ *              b sinh u), for a parabola the distance from its axis. The axes
+ *              are turned by at most 45 degrees from x and y (or y and -x).
+ * Out   *out   P3, order 3; whole ellipses as ix_circle, else one or two spans
+ * Err   IX_EARG     no or infinite coefficients, an empty range
+ *       IX_EDOMAIN  no real points, a point, lines: the message says which */
+ix_status ix_conic(ix_ctx *ctx, const double coef[6], double z,
+                   const double *range, ix_mv **out) IX_MUST_CHECK;
+/* The part between two points on it (x and y count, within 1e-5 of its size),
+ * for an ellipse counter-clockwise from p0. Err also IX_EDOMAIN a point is off
+ * the conic or on the other branch. */
+ix_status ix_conic_between(ix_ctx *ctx, const double coef[6], double z,
+                           const double p0[3], const double p1[3],
+                           ix_mv **out) IX_MUST_CHECK;
+
+/* Coefficients of the image under x' = x M (mat row-major, row vectors); for
+ * conics M acts in the plane. Err IX_EDOMAIN singular. */
+ix_status ix_conic_transform(ix_ctx *ctx, const double coef[6],
+                             const double mat[16], double out[6]) IX_MUST_CHECK;
+/* Quadric A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J. */
+ix_status ix_quadric_transform(ix_ctx *ctx, const double coef[10],
+                               const double mat[16],
+                               double out[10]) IX_MUST_CHECK;
+/* The quadric that meets z = 0 in a central conic and has half height
+ * `height` over its center. Err IX_EARG height 0; IX_EDOMAIN no center. */
+ix_status ix_conic_to_quadric(ix_ctx *ctx, const double coef[6], double height,
+                              double out[10]) IX_MUST_CHECK;
+/* The ellipse of least area through three points of the plane (Steiner 1829),
+ * semi-axes enlarged by offset; -1 at its center.
+ *
+ * Err   IX_EDOMAIN on one line; IX_EARG offset leaves no ellipse */
+ix_status ix_ellipse_three_points(ix_ctx *ctx, const double (*p)[3],
+                                  double offset, double out[6]) IX_MUST_CHECK;
+
+/* --- editing ---------------------------------------------------------------
+ */
+
+/* The same control points on knots spaced by a rule for the control polygon
+ * (ix_params, ix_params_knots; periodic: its closed steps). Domain kept, the
+ * shape changes. Err as ix_params. */
+ix_status ix_reknot(ix_ctx *ctx, const ix_mv *crv, ix_param how,
+                    ix_mv **out) IX_MUST_CHECK;
+
+/* A copy with control point i (direction 0 fastest) replaced by pt[axes].
+ * Err IX_EARG i out of range, another point type, not finite. */
+ix_status ix_set_point(ix_ctx *ctx, const ix_mv *m, size_t i, int ncoords,
+                       bool rational, const double *pt,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* The same curve reparametrised by a Moebius map of its domain, rational:
+ * a Bezier's weights (and points) i get the factor ratio^(i - degree), so the
+ * last one stays; ratio 0: the map that makes both end weights equal.
+ *
+ * Err   IX_EARG ratio negative, order 1; IX_EDOMAIN end weights differ in sign
+ * See   ix_mv_moebius, where the ratio is that of the end weights */
+ix_status ix_moebius(ix_ctx *ctx, const ix_mv *crv, double ratio,
+                     ix_mv **out) IX_MUST_CHECK;
+
+/* --- curves in simpler pieces ----------------------------------------------
+ */
+
+/* Polynomial Bezier pieces of order 3 or 4 along a curve, end to end; each is
+ * as long as the tolerance allows and does not pass a knot.
+ *
+ * In    tol      for |C(t) - piece(u)|, u linear in t
+ *       max_len  largest arc length of the curve that a piece may cover; not
+ *                positive: any
+ * Out   *out     pieces with their intervals of t, polynomial
+ *       *err     NULL, or receives the bound of the largest distance
+ * Err   IX_EARG order, tol; IX_EDOMAIN poles; IX_EUNABLE more than 2^20 pieces
+ * Num   distances are bounded by control points, not sampled. A polynomial of
+ *       no higher order comes back exactly; orders 3, 4: error O(h^order) */
+ix_status ix_fit_pieces(ix_ctx *ctx, const ix_mv *crv, int order, double tol,
+                        double max_len, double *err,
+                        ix_crvs *out) IX_MUST_CHECK;
+
+/* Circular arcs along a planar curve, tangent to each other and to the curve
+ * at every other joint (biarcs); corners stay.
+ *
+ * In    crv        in a plane z = const
+ *       tol        for the distance between curve and arcs
+ *       max_angle  of one arc, degrees; more than 170 counts as 170
+ * Out   *out       rational quadratic Beziers, P2 (P3 for 3 coordinates and
+ *                  more), straight ones with weights 1; their intervals of t
+ *       *err       NULL, or receives the bound of the largest distance
+ * Err   IX_EARG tol, angle, not in such a plane; IX_EDOMAIN poles; IX_EUNABLE
+ *       too many arcs
+ * Src   Bolton 1975; distances bounded by control points */
+ix_status ix_biarcs(ix_ctx *ctx, const ix_mv *crv, double tol, double max_angle,
+                    double *err, ix_crvs *out) IX_MUST_CHECK;
+
+/* --- decompositions ---------------------------------------------------------
+ */
+
+/* How a curve is split into resolutions. */
+typedef struct {
+    bool keep_jumps; /* knots of full multiplicity stay */
+    bool wavelets;   /* one knot at a time: each detail is a multiple of one
+                        B-wavelet; else every second knot at a time */
+} ix_multires;
+
+/* A polynomial curve as the sum of its best approximation without interior
+ * knots (first) and of details, coarse to fine, each orthogonal (in the mean
+ * square over the parameter) to all coarser splines.
+ *
+ * Out   *out  open B-splines on the curve's domain; each in its own space
+ * Err   IX_EARG rational
+ * Num   the sum is the curve up to rounding
+ * Src   Elber and Gotsman 1995; Kazinnik and Elber 1997 */
+ix_status ix_multires_split(ix_ctx *ctx, const ix_mv *crv, ix_multires how,
+                            ix_crvs *out) IX_MUST_CHECK;
+/* The scalar B-wavelet of one interior knot (an index into the knots of the
+ * curve made open): orthogonal to all splines without that knot, largest
+ * control value 1. Err IX_EARG rational, not an interior knot. */
+ix_status ix_multires_wavelet(ix_ctx *ctx, const ix_mv *crv, int knot,
+                              ix_mv **out) IX_MUST_CHECK;
+
+/* f and g with f(g(t)) = crv(t), both of degree 2 at least, g scalar with
+ * values in [0, 1] and of the least degree possible; both NULL (and IX_OK) if
+ * there are none.
+ *
+ * Out   *f  Bezier, point type of crv; *g as crv: Bezier or B-spline
+ * Err   IX_EARG interior knots
+ * Num   |f(g) - crv| <= 1e-10 of the largest control value, in the mean
+ * Src   Kozen and Landau 1989 */
+ix_status ix_decompose(ix_ctx *ctx, const ix_mv *crv, ix_mv **f,
+                       ix_mv **g) IX_MUST_CHECK;
+
+/* --- matching and morphing ---------------------------------------------------
+ */
+
+/* What makes two points of two curves a good pair; T are unit tangents, d the
+ * unit vector from one to the other. */
+typedef enum {
+    IX_MATCH_RULED = 1, /* mean of T1.T2 and N1.N2, N = T x d normalised: flat
+                           ruled surfaces */
+    IX_MATCH_MORPH,     /* T1.T2 */
+    IX_MATCH_WALK,      /* 1 - distance / largest distance */
+    IX_MATCH_BISECT     /* T2 and T1 mirrored at the plane between: one circle
+                           touches both */
+} ix_match_norm;
+typedef struct {
+    int samples; /* of each curve, even in the parameter, 2 .. 4096 */
+    int length;  /* control points of the reparametrisation */
+    int order;   /* of it */
+    bool rotate; /* a closed c2 may begin anywhere */
+    ix_match_norm norm;
+    bool allow_negative; /* pairs of negative value are allowed */
+} ix_match_opts;
+
+/* c2 reparametrised, on c1's domain, so that points with equal parameters are
+ * pairs of the largest mean value.
+ *
+ * Out   *out    c2(r(t)), r a non-falling spline from end to end
+ *       *worth  NULL, or the mean value over the path, in [-1, 1]
+ * Err   IX_EARG not 2 <= order <= length <= samples, norm; IX_EDOMAIN no path
+ *       without negative pairs, poles
+ * Num   O(samples^2); rotating, 64 times that
+ * Src   Cohen, Elber, Bar-Yehuda 1997 */
+ix_status ix_match(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                   const ix_match_opts *o, double *worth,
+                   ix_mv **out) IX_MUST_CHECK;
+
+/* How ix_morph goes. */
+typedef struct {
+    bool levels;    /* exchange details, coarse to fine; else turn edges */
+    bool by_length; /* edges: sizes are polygon lengths, else diagonals of
+                       boxes */
+    bool follow;    /* edges: neighbours turn the same way (no tangencies on
+                       the way), else each the shorter way */
+} ix_morph_how;
+
+/* Curves from c1 (blend 0) to c2 (blend 1) in equal steps of at most step.
+ *
+ * In    c1, c2  same order, knots, point type
+ * Out   *out    as c1; with levels: open B-splines; t holds the blend
+ * Err   IX_EARG not compatible, step not in [1e-4, 1], more than 3 coordinates,
+ *       levels of rational curves
+ * Src   Sederberg, Gao, Wang, Mu 1993 (edges) */
+ix_status ix_morph(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                   ix_morph_how how, double step, ix_crvs *out) IX_MUST_CHECK;
+
+/* --- points without order
+ * ------------------------------------------------------ */
+
+typedef enum {
+    IX_CLOUD_POINT = 1, /* distances from foot points */
+    IX_CLOUD_SQUARED    /* squared distance to the curve: fewer iterations */
+} ix_cloud_how;
+typedef struct {
+    ix_cloud_how how;
+    int max_iter;
+    double err_limit;    /* stop at this root mean square distance */
+    double change_limit; /* stop when it changes by no more */
+    double lambda;       /* weight of the integral of |C''|^2, domain as [0, 1],
+                            against the mean square distance */
+} ix_cloud_opts;
+
+/* A B-spline near n points double[ncoords][n] that have no order, from a first
+ * curve with the wanted knots. Finds a local optimum.
+ *
+ * Out   *out  knots of init; *err (may be NULL) the root mean square distance
+ * Err   IX_EARG init not polynomial or of another dimension, n < 2, options;
+ *       IX_EDOMAIN points leave control points undetermined (lambda 0)
+ * Src   Wang, Pottmann, Liu 2006 */
+ix_status ix_fit_cloud(ix_ctx *ctx, int n, int ncoords, const double *pts,
+                       const ix_mv *init, const ix_cloud_opts *o, double *err,
+                       ix_mv **out) IX_MUST_CHECK;
+/* A first curve from the points' spread: a line, or for periodic an ellipse,
+ * along their principal axes. */
+ix_status ix_fit_cloud_start(ix_ctx *ctx, int n, int ncoords, const double *pts,
+                             int length, int order, bool periodic,
+                             ix_mv **out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

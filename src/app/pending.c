@@ -5,7 +5,6 @@
 
 #define PENDING __attribute__((weak))
 
-PENDING const ix_builtin ix__builtins_curve[1] = {{0}};
 
 PENDING ix_status ix_mv_eval_grid(ix_ctx *ctx, const ix_mv *m,
                                   const int *counts,

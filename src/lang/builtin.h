@@ -59,6 +59,8 @@ extern const ix_builtin ix__builtins_output[];
 extern const ix_builtin ix__builtins_attr[];
 extern const ix_builtin ix__builtins_analytic[];
 extern const ix_builtin ix__builtins_curve[];
+extern const ix_builtin ix__builtins_curve_edit[];
+extern const ix_builtin ix__builtins_curve_ask[];
 extern const ix_builtin ix__builtins_freeform[];
 extern const ix_builtin ix__builtins_surface[];
 extern const ix_builtin ix__builtins_trivar[]; /* and triangular patches */

@@ -34,6 +34,7 @@ enum { IX__E1 = 1100, IX__P1 = 1101 };
 enum {
     IX__GEOM_LINEAR = 1,
     IX__GEOM_CIRCULAR = 2,
+    IX__GEOM_CONIC = 3,
     IX__GEOM_TRIVAR_RULED = 5, /* as written for trivariates */
     IX__GEOM_SRF_OF_REV = 9,
     IX__GEOM_BOOL_SUM = 11,

@@ -19,6 +19,8 @@ extern const ix_builtin ix__builtins_output[];
 extern const ix_builtin ix__builtins_attr[];
 extern const ix_builtin ix__builtins_analytic[];
 extern const ix_builtin ix__builtins_curve[];
+extern const ix_builtin ix__builtins_curve_edit[];
+extern const ix_builtin ix__builtins_curve_ask[];
 extern const ix_builtin ix__builtins_freeform[];
 extern const ix_builtin ix__builtins_surface[];
 extern const ix_builtin ix__builtins_trivar[];
@@ -57,6 +59,8 @@ static const ix_builtin *const tables[] = {
     ix__builtins_attr,
     ix__builtins_analytic,
     ix__builtins_curve,
+    ix__builtins_curve_edit,
+    ix__builtins_curve_ask,
     ix__builtins_freeform,
     ix__builtins_surface,
     ix__builtins_trivar,
