@@ -104,7 +104,7 @@ ix_status ix_mv_curve_derivs(ix_ctx *ctx, const ix_mv *m, double t, int order,
  * threads. Err IX_EDOMAIN names the first parameter outside. */
 ix_status ix_mv_eval_many(ix_ctx *ctx, const ix_mv *m, size_t n,
                           const double *t, double *out) IX_MUST_CHECK;
-/* The same, projected: out double[ncoords][n]. */
+/* The same, projected: out double[ncoords][n], not finite at a pole. */
 ix_status ix_mv_point_many(ix_ctx *ctx, const ix_mv *m, size_t n,
                            const double *t, double *out) IX_MUST_CHECK;
 /* On the grid of params[d][counts[d]], direction 0 fastest:

@@ -84,11 +84,24 @@ static ix_status b_getname(ix_call *c)
     return ix__ret(c, ix__obj_string(c->ctx, name, strlen(name)));
 }
 
-/* True if argument 0 was written LIST(x, ...): x is a variable of its own,
- * and its box is the element. */
-static bool is_variable(ix_call *c, const ix_obj *o)
+/* True if argument 0 was written LIST(x, ...): x is a global variable, and
+ * its box is the element. */
+static bool is_global(ix_call *c, const ix_obj *o)
 {
-    return o->name && ix__var_find(c->in, o->name) == o;
+    const ix_obj *v;
+
+    for (size_t i = 0; o->name && (v = ix__var_at(c->in, i)); i++)
+        if (v == o)
+            return true;
+    return false;
+}
+
+#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+
+/* A letter, then letters, digits and underscores. */
+static bool is_identifier(const char *s)
+{
+    return strspn(s, LETTERS) > 0 && !s[strspn(s, LETTERS "0123456789_")];
 }
 
 static ix_status b_setname(ix_call *c)
@@ -97,8 +110,10 @@ static ix_status b_setname(ix_call *c)
     ix_obj *o;
 
     IX_TRY(element(c, 0, &o));
-    if (!is_variable(c, o) || ix__name_cmp(o->name, name) == 0)
+    if (!is_global(c, o))
         return ix__obj_set_name(c->ctx, o, name);
+    if (!is_identifier(name))
+        return IX_ARG_FAIL(c, 2, "\"%.60s\" is no name of a variable", name);
     return ix__var_rename(c->in, o->name, name);
 }
 

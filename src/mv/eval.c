@@ -4,9 +4,10 @@
 #include "bsp/basis.h"
 #include "mv/window.h"
 
-/* Bezier curves and surfaces (also as B-splines of one span) extrapolate. */
-static bool extrapolates(const ix_mv *m, const ix_dir *dir)
+bool ix__mv_extrapolates(const ix_mv *m, int d)
 {
+    const ix_dir *dir = m->dirs + d;
+
     if (m->ndirs > 2)
         return false;
     return dir->basis != IX_BSPLINE ||
@@ -17,7 +18,7 @@ ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d, double *t)
 {
     double dom[2], slack;
 
-    if (isfinite(*t) && extrapolates(m, m->dirs + d))
+    if (isfinite(*t) && ix__mv_extrapolates(m, d))
         return IX_OK;
     ix__dir_domain(m->dirs + d, dom);
     slack = 1e-5 * (dom[1] - dom[0]); /* spec/model 6 */

@@ -85,6 +85,10 @@ ix_status ix__mv_step(ix_ctx *ctx, ix_mv **cur, ix_mv **next,
 ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,
                             int ncoords) IX_MUST_CHECK;
 
+/* True for Bezier directions of curves and surfaces, also as B-splines of one
+ * open span: they take any parameter. */
+bool ix__mv_extrapolates(const ix_mv *m, int d);
+
 /* Checks a parameter of direction d against the domain and clamps it, as
  * ix_mv_eval does. Err IX_EDOMAIN. */
 ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d,

@@ -2,63 +2,23 @@
  * spans, then each box of spans collected. */
 #include <string.h>
 
-#include "bsp/spans.h"
-#include "mv/mv.h"
-
-typedef struct {
-    const ix_mv *m;
-    ix_spans sp[IX_MAX_DIRS];
-    size_t stride[IX_MAX_DIRS]; /* in coefs, of one coefficient */
-    size_t axis;                /* coefficients of one axis */
-    double *coefs;              /* [axes][.. nspans * order ..] */
-} cut;
-
-/* Extracts direction after direction; the first are the fastest. */
-static ix_status extract(ix_ctx *ctx, const ix_mv *m, cut *c)
-{
-    const double *in = m->pts;
-    size_t inner = 1, outer = (size_t)m->naxes * m->npts;
-
-    c->m = m;
-    for (int d = 0; d < m->ndirs; d++) {
-        size_t n;
-
-        IX_TRY(ix__spans_of(ctx, m->dirs + d, c->sp + d));
-        n = (size_t)c->sp[d].nspans * (size_t)m->dirs[d].order;
-        outer /= (size_t)m->dirs[d].length;
-        IX_SCRATCH(ctx, c->coefs, outer * n * inner);
-        IX_TRY(ix__spans_extract(ctx, m->dirs + d, c->sp + d, outer, inner, in,
-                                 c->coefs));
-        c->stride[d] = inner;
-        inner *= n;
-        in = c->coefs;
-    }
-    c->axis = inner;
-    return IX_OK;
-}
+#include "mv/bernstein.h"
 
 /* Coefficients of one axis of the piece at spans at[], copied by rows. */
-static double *collect(const cut *c, const int *at, const double *in,
+static double *collect(const ix__bernstein *c, const int *at, const double *in,
                        double *out)
 {
-    const ix_mv *m = c->m;
-    int q[IX_MAX_DIRS] = {0}, d;
-    size_t row = (size_t)m->dirs[0].order;
+    size_t row = (size_t)c->m->dirs[0].order;
+    int q[IX_MAX_DIRS] = {0};
 
     do {
-        size_t from = (size_t)at[0] * row;
-
-        for (d = 1; d < m->ndirs; d++)
-            from += (size_t)(at[d] * m->dirs[d].order + q[d]) * c->stride[d];
-        memcpy(out, in + from, row * sizeof *out);
+        memcpy(out, in + ix__bernstein_row(c, at, q), row * sizeof *out);
         out += row;
-        for (d = 1; d < m->ndirs && ++q[d] == m->dirs[d].order; d++)
-            q[d] = 0;
-    } while (d < m->ndirs);
+    } while (ix__bernstein_next(c->m, q));
     return out;
 }
 
-static ix_status make_piece(ix_ctx *ctx, const cut *c, const int *at,
+static ix_status make_piece(ix_ctx *ctx, const ix__bernstein *c, const int *at,
                             ix_mv **out)
 {
     const ix_mv *m = c->m;
@@ -76,7 +36,8 @@ static ix_status make_piece(ix_ctx *ctx, const cut *c, const int *at,
 }
 
 /* Room for count pieces and their intervals, nothing in it yet. */
-static ix_status alloc_pieces(ix_ctx *ctx, const cut *c, ix_mv_pieces *out)
+static ix_status alloc_pieces(ix_ctx *ctx, const ix__bernstein *c,
+                              ix_mv_pieces *out)
 {
     size_t n = 1, nd = (size_t)c->m->ndirs, each, bytes;
     unsigned char *block;
@@ -100,9 +61,9 @@ static ix_status alloc_pieces(ix_ctx *ctx, const cut *c, ix_mv_pieces *out)
 static ix_status to_bezier(ix_ctx *ctx, const ix_mv *m, ix_mv_pieces *out)
 {
     int at[IX_MAX_DIRS] = {0};
-    cut c;
+    ix__bernstein c;
 
-    IX_TRY(extract(ctx, m, &c));
+    IX_TRY(ix__bernstein_of(ctx, m, &c));
     IX_TRY(alloc_pieces(ctx, &c, out));
     for (size_t i = 0; i < out->count; i++) {
         size_t nd = (size_t)m->ndirs;
