@@ -106,8 +106,9 @@ RUN_script    = tests/script/run $(B)/iritx
 RUN_golden    = tests/golden/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
+RUN_mutate    = tests/hostile/mutate $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden roundtrip hostile lint
+PARTS := unit selftest script golden roundtrip hostile mutate lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
 	@tests/harness/check $(foreach p,$(PARTS),"$(RUN_$(p))")
@@ -118,7 +119,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-roundtrip check-hostile: $(PROG)
+check-script check-golden check-roundtrip check-hostile check-mutate: $(PROG)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))
