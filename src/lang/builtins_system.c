@@ -317,7 +317,7 @@ static ix_status b_chdir(ix_call *c)
 {
     const char *dir = ix__arg_str(c, 0);
 
-    IX_TRY(ix__path_check(c->in, dir, false));
+    IX_TRY(ix__dir_check(c->in, dir));
     if (chdir(dir) != 0)
         return IX_FAIL(c->ctx, IX_EIO, "%s: %s", dir, strerror(errno));
     return IX_OK;

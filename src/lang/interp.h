@@ -123,6 +123,8 @@ ix_status ix__queue_file(ix_interp *in, const char *name) IX_MUST_CHECK;
  * for output. */
 ix_status ix__path_check(ix_interp *in, const char *name,
                          bool writing) IX_MUST_CHECK;
+/* The same for a directory that is to become the working one. */
+ix_status ix__dir_check(ix_interp *in, const char *name) IX_MUST_CHECK;
 
 /* The table row of a built-in (any case) or NULL; and all rows in order. */
 const ix_builtin *ix__builtin_find(const char *name);

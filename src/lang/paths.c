@@ -66,21 +66,32 @@ static ix_status check_kind(ix_interp *in, const char *name)
     return IX_OK;
 }
 
-ix_status ix__path_check(ix_interp *in, const char *name, bool writing)
+static ix_status check_below(ix_interp *in, const char *doing,
+                             const char *name)
 {
     char real[PATH_MAX];
 
-    if (!*name || *name == '|')
-        return IX_FAIL(in->ctx, IX_EIO, "\"%s\" is not a file name", name);
-    if (in->opt.allow_system)
-        return IX_OK;
-    IX_TRY(check_kind(in, name));
     if (!real_path(name, real) || is_below(real, in->root))
         return IX_OK; /* without a directory, opening it fails anyway */
     return IX_FAIL(in->ctx, IX_EIO,
                    "%s %s is refused: it is not below %s (--root DIR or "
                    "--allow-system would permit it)",
-                   writing ? "writing" : "reading", name, in->root);
+                   doing, name, in->root);
+}
+
+ix_status ix__path_check(ix_interp *in, const char *name, bool writing)
+{
+    if (!*name || *name == '|')
+        return IX_FAIL(in->ctx, IX_EIO, "\"%s\" is not a file name", name);
+    if (in->opt.allow_system)
+        return IX_OK;
+    IX_TRY(check_kind(in, name));
+    return check_below(in, writing ? "writing" : "reading", name);
+}
+
+ix_status ix__dir_check(ix_interp *in, const char *name)
+{
+    return in->opt.allow_system ? IX_OK : check_below(in, "going to", name);
 }
 
 ix_status ix__system_check(ix_interp *in)
