@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/* --- layers --------------------------------------------------------------- */
+/* --- layers ------------------------------------------------------------ */
 
 /* The linear blend from a (last parameter 0) to b (1): (1-t) a + t b.
  *
@@ -50,19 +50,17 @@ ix_status ix_srf_hermite(ix_ctx *ctx, const ix_mv *b1, const ix_mv *b2,
                          const ix_mv *t1, const ix_mv *t2,
                          ix_mv **out) IX_MUST_CHECK;
 
-/* --- interpolation -----------------------------------------------------------
- */
+/* --- interpolation ----------------------------------------------------- */
 
 /* The B-spline in a new last direction that passes through n >= 2 layers
  * (skinning): layer k at parameter tau_k.
  *
  * In    order  <= n
  *       kv     IX_KV_OPEN or _FLOAT on [0, 1], tau the mean of those that how
- *              gives for each row of control points; IX_KV_PERIODIC: tau_k = k / n,
- *              domain [0, 1]
- * Err   IX_EARG as ix_srf_layers, or order > n; IX_EDOMAIN the layers do not
- *       determine the surface (even n and odd order when periodic), or all
- *       layers are the same and how is not uniform */
+ *              gives for each row of control points; IX_KV_PERIODIC: tau_k = k
+ * / n, domain [0, 1] Err   IX_EARG as ix_srf_layers, or order > n; IX_EDOMAIN
+ * the layers do not determine the surface (even n and odd order when periodic),
+ * or all layers are the same and how is not uniform */
 ix_status ix_srf_skin(ix_ctx *ctx, int n, const ix_mv *const *layers, int order,
                       ix_kv_kind kv, ix_param how, ix_mv **out) IX_MUST_CHECK;
 
@@ -91,8 +89,7 @@ ix_status ix_srf_fit_points(ix_ctx *ctx, int n, const double *uv, int ncoords,
                             const double *values, const int order[2],
                             const int size[2], ix_mv **out) IX_MUST_CHECK;
 
-/* --- revolution ------------------------------------------------------------
- */
+/* --- revolution -------------------------------------------------------- */
 
 /* How a full turn is represented. */
 typedef enum {
@@ -126,8 +123,7 @@ ix_status ix_srf_revolve_axis(ix_ctx *ctx, const ix_mv *crv, double a0,
  * q and r = sqrt(2) T / (1 - T), T the tangent of half the remaining angle. */
 double ix_circle_param(double degrees);
 
-/* --- patches from boundaries -----------------------------------------------
- */
+/* --- patches from boundaries ------------------------------------------- */
 
 /* Bilinearly blended patch of four boundary curves (Coons 1967):
  * S(., 0) = c1, S(., 1) = c2, S(0, .) = c3, S(1, .) = c4, domain [0, 1]^2.
@@ -141,7 +137,7 @@ ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
 ix_status ix_srf_boolone(ix_ctx *ctx, const ix_mv *crv,
                          ix_mv **out) IX_MUST_CHECK;
 
-/* --- quadrics ---------------------------------------------------------------- */
+/* --- quadrics ---------------------------------------------------------- */
 
 /* A patch of the surface
  *
@@ -158,8 +154,12 @@ ix_status ix_srf_boolone(ix_ctx *ctx, const ix_mv *crv,
 ix_status ix_srf_quadric(ix_ctx *ctx, const double coef[10],
                          ix_mv **out) IX_MUST_CHECK;
 
-/* --- sums, products, distances ----------------------------------------------
- */
+/* The cylinder over the conic A x^2 + B xy + C y^2 + D x + E y + F = 0 (coef =
+ * A .. F) from the plane z = 0 (v = 0) to z = height; as above. */
+ix_status ix_srf_conic_cylinder(ix_ctx *ctx, const double coef[6],
+                                double height, ix_mv **out) IX_MUST_CHECK;
+
+/* --- sums, products, distances ----------------------------------------- */
 
 /* S(u, v) = a(u) + b(v); any number of directions each, a's first. */
 ix_status ix_srf_algsum(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
@@ -181,8 +181,7 @@ typedef enum {
 ix_status ix_srf_distance(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                           ix_dist what, ix_mv **out) IX_MUST_CHECK;
 
-/* --- sweeping ----------------------------------------------------------------
- */
+/* --- sweeping ---------------------------------------------------------- */
 
 typedef enum {
     IX_FRAME_MINIMAL, /* rotation minimising; begins with the least rotation
@@ -217,8 +216,7 @@ typedef struct {
 ix_status ix_srf_sweep(ix_ctx *ctx, const ix_sweep *s,
                        ix_mv **out) IX_MUST_CHECK;
 
-/* --- normals, tangents
- * --------------------------------------------------------- */
+/* --- normals, tangents ------------------------------------------------- */
 
 /* Unit normal S_v x S_u at (u, v). At a degenerate point it is taken a little
  * inside the domain. Err IX_EDOMAIN outside, at a pole, or no normal there. */
@@ -243,8 +241,7 @@ ix_status ix_srf_normal_field(ix_ctx *ctx, const ix_mv *srf,
 ix_status ix_srf_normal_cone(ix_ctx *ctx, const ix_mv *srf, double axis[3],
                              double *half_angle) IX_MUST_CHECK;
 
-/* --- other representations
- * ------------------------------------------------------ */
+/* --- other representations --------------------------------------------- */
 
 /* (1 - t) a + t b, control point by control point.
  * Err   IX_EARG a and b differ in directions, orders, lengths or point type,
@@ -266,8 +263,7 @@ ix_status ix_mv_moebius(ix_ctx *ctx, const ix_mv *m, int dir, double ratio,
 ix_status ix_bsp_inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
                        const int index[2], double *out) IX_MUST_CHECK;
 
-/* --- triangular Bezier patches
- * --------------------------------------------------- */
+/* --- triangular Bezier patches ----------------------------------------- */
 
 /* Control points double[naxes][n (n+1) / 2] for order n: index j over the
  * power of w outermost, i over that of v inside, so that point 0 belongs to

@@ -11,8 +11,7 @@
 #include "bsp/basis.h"
 #include "geom/parts.h"
 
-/* --- one direction
- * --------------------------------------------------------------- */
+/* --- one direction ----------------------------------------------------- */
 
 /* Rows of data double[outer][n][inner] at parameters tau to control points
  * out[outer][dir->length][inner]. */
@@ -64,8 +63,7 @@ static ix_status fit_rows(ix_ctx *ctx, const fit *f, const double *data,
     return IX_OK;
 }
 
-/* --- skinning
- * ----------------------------------------------------------------------- */
+/* --- skinning ---------------------------------------------------------- */
 
 /* Point i of the n layers of m, its last direction, projected:
  * double[ncoords][n]. */
@@ -185,9 +183,7 @@ ix_status ix_srf_skin(ix_ctx *ctx, int n, const ix_mv *const *layers, int order,
     return st;
 }
 
-/* --- grids
- * ----------------------------------------------------------------------------
- */
+/* --- grids ------------------------------------------------------------- */
 
 static ix_status check_sizes(ix_ctx *ctx, const int count[2],
                              const int order[2], const int size[2])
@@ -254,9 +250,7 @@ ix_status ix_srf_fit_grid(ix_ctx *ctx, const int count[2], int ncoords,
     return st;
 }
 
-/* --- surfaces
- * ---------------------------------------------------------------------------
- */
+/* --- surfaces ---------------------------------------------------------- */
 
 enum { SAMPLES_PER_POINT = 4 };
 
@@ -342,8 +336,7 @@ ix_status ix_srf_fit_surface(ix_ctx *ctx, const ix_mv *srf, const int order[2],
     return st;
 }
 
-/* --- scattered points
- * ------------------------------------------------------------------------ */
+/* --- scattered points -------------------------------------------------- */
 
 /* Uniform open directions of the given orders and sizes. */
 static ix_status open_dirs(ix_ctx *ctx, const int order[2], const int size[2],

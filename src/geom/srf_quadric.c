@@ -10,8 +10,7 @@
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
 
-/* --- the functions of one parameter
- * -------------------------------------------- */
+/* --- the functions of one parameter ------------------------------------ */
 
 /* Bezier coefficients of three functions each: (1, c, s) with a common weight
  * for circle and hyperbola, (1, t, t^2) for the parabola, t in [-1, 1]. */
@@ -40,8 +39,7 @@ typedef struct {
     term z[3][3]; /* f = 0: no term */
 } patch;
 
-/* --- the equation in the axes of its form
- * ------------------------------------------ */
+/* --- the equation in the axes of its form ------------------------------ */
 
 typedef struct {
     double lambda[3], axis[3][3]; /* eigenvalues that vanish come last */
@@ -128,8 +126,7 @@ static void complete_squares(const double c[10], canonical *q)
     }
 }
 
-/* --- the kinds
- * ------------------------------------------------------------------------ */
+/* --- the kinds --------------------------------------------------------- */
 
 /* Positive eigenvalues of sign s first; how many there are. */
 static int positive_first(canonical *q, double s)
@@ -241,9 +238,7 @@ static ix_status classify(ix_ctx *ctx, canonical *q, patch *p)
                                                             : "nothing");
 }
 
-/* --- result
- * -----------------------------------------------------------------------------
- */
+/* --- result ------------------------------------------------------------ */
 
 static double value(const patch *p, const term *t, int i, int j)
 {
@@ -286,4 +281,35 @@ ix_status ix_srf_quadric(ix_ctx *ctx, const double coef[10], ix_mv **out)
     complete_squares(coef, &q);
     IX_TRY(classify(ctx, &q, &p));
     return build(ctx, &q, &p, out);
+}
+
+/* v runs along the generators, which are parallel to z: z is an axis without
+ * quadratic and linear part, and those are put last. */
+static ix_status stretch(ix_ctx *ctx, const ix_mv *s, double height,
+                         ix_mv **out)
+{
+    double z0 = ix_mv_coord(s, 2)[0] / ix_mv_weights(s)[0];
+    double z1 = ix_mv_coord(s, 2)[6] / ix_mv_weights(s)[6];
+    double f = height / (z1 - z0);
+    const double mat[16] = {1, 0, 0, 0, 0, 1, 0,       0,
+                            0, 0, f, 0, 0, 0, -f * z0, 1};
+
+    return ix_mv_transform(ctx, s, mat, out);
+}
+
+ix_status ix_srf_conic_cylinder(ix_ctx *ctx, const double coef[6],
+                                double height, ix_mv **out)
+{
+    const double c[10] = {coef[0], coef[2], 0,       coef[1], 0,
+                          0,       coef[3], coef[4], 0,       coef[5]};
+    ix_mv *s = NULL;
+    ix_status st;
+
+    *out = NULL;
+    if (!(fabs(height) > 0 && isfinite(height)))
+        return IX_FAIL(ctx, IX_EARG, "height %g of a cylinder", height);
+    IX_TRY(ix_srf_quadric(ctx, c, &s));
+    st = stretch(ctx, s, height, out);
+    ix_mv_unref(ctx, s);
+    return st;
 }

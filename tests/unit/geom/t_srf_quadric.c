@@ -113,6 +113,37 @@ static void test_kinds(void **state)
     gt_end(&t);
 }
 
+/* Law: points of the cylinder satisfy the conic's equation; z = v height. */
+static void test_cylinder(void **state)
+{
+    static const double conics[][6] = {{1, 0, 4, 0, 0, -1},
+                                       {1, 3, 1, 1, 0, -2},
+                                       {1, 2, 1, 1, 0, 0},
+                                       {0, 0, 0, 1, 2, 3}};
+    gt t = gt_begin(93);
+
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        const double *f = conics[k];
+        ix_mv *s = NULL;
+
+        ASSERT_OK(t.ctx, ix_srf_conic_cylinder(t.ctx, f, 2.5, &s));
+        for (int n = 0; n < 20; n++) {
+            double uv[2] = {ix_rng_unit(&t.r), ix_rng_unit(&t.r)};
+            double p[IX_MAX_COORDS];
+
+            gt_point(&t, s, uv, p);
+            ASSERT_CLOSE(f[0] * p[0] * p[0] + f[1] * p[0] * p[1] +
+                             f[2] * p[1] * p[1] + f[3] * p[0] + f[4] * p[1] +
+                             f[5],
+                         0, 1e-12);
+            ASSERT_CLOSE(p[2], 2.5 * uv[1], 1e-13);
+        }
+        ix_mv_unref(t.ctx, s);
+    }
+    gt_end(&t);
+}
+
 static void test_errors(void **state)
 {
     static const double none[][10] = {
@@ -131,6 +162,7 @@ static void test_errors(void **state)
         assert_null(out);
     }
     assert_int_equal(ix_srf_quadric(t.ctx, bad, &out), IX_EARG);
+    assert_int_equal(ix_srf_conic_cylinder(t.ctx, none[0], 0, &out), IX_EARG);
     gt_end(&t);
 }
 
@@ -158,9 +190,9 @@ static void test_no_memory(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kinds),
-                                       cmocka_unit_test(test_errors),
-                                       cmocka_unit_test(test_no_memory)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kinds), cmocka_unit_test(test_cylinder),
+        cmocka_unit_test(test_errors), cmocka_unit_test(test_no_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
