@@ -43,6 +43,10 @@ ix_status ix__form_narrow(ix_ctx *ctx, const ix_spans *dirs,
 /* ix__form_alloc with coefficients that are there already (c NULL: not). */
 ix_status ix__form_adopt(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
                          int nrows, double *c, ix_form *out) IX_MUST_CHECK;
+/* Bernstein coefficients double[nrows][n] to the scaled ones of f, in place or
+ * not. */
+ix_status ix__form_scale_in(ix_ctx *ctx, const ix_form *f,
+                            const double *in) IX_MUST_CHECK;
 /* Both at the larger degrees and one exponent; views or elevated copies. */
 ix_status ix__form_match(ix_ctx *ctx, ix_form *a, ix_form *b) IX_MUST_CHECK;
 

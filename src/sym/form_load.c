@@ -210,30 +210,6 @@ static ix_status decompose(ix_ctx *ctx, const operand *op, const double *in,
     return IX_OK;
 }
 
-/* Bernstein coefficients in to the scaled ones of f, in place or not. */
-static ix_status scale(ix_ctx *ctx, const ix_form *f, const double *in)
-{
-    const double *from = in;
-
-    for (int i = 0; i < f->ndirs; i++) {
-        int d = f->dirs[i].degree;
-        double *room = NULL;
-        ix__shape s;
-
-        if (d < 2)
-            continue;
-        if (d > IX__BINOM_TABLE)
-            IX_SCRATCH(ctx, room, d + 1);
-        ix__form_shape(f, i, &s);
-        ix__bern_scale(s.outer * s.nspans, d, s.inner, ix__binom(d, room), from,
-                       f->c);
-        from = f->c;
-    }
-    if (from != f->c)
-        memcpy(f->c, in, (size_t)f->nrows * f->n * sizeof *f->c);
-    return IX_OK;
-}
-
 static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
                           unsigned bezier, ix_form *out)
 {
@@ -249,7 +225,7 @@ static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
         ix__form_adopt(ctx, op->m->ndirs, op->spans, op->m->naxes, own, out));
     out->bezier = bezier;
     out->exp = exp;
-    return scale(ctx, out, own ? own : pts);
+    return ix__form_scale_in(ctx, out, own ? own : pts);
 }
 
 /* --- all together ------------------------------------------------------------

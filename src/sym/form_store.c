@@ -1,11 +1,35 @@
-/* form_store.c - a form to a multivariate: one composition, direction by
- * direction, with the knots that the known continuity allows. */
+/* form_store.c - Bernstein and scaled coefficients; a form to a multivariate:
+ * one composition, direction by direction, with the knots that the known
+ * continuity allows. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "bern/bern.h"
 #include "sym/form_impl.h"
+
+ix_status ix__form_scale_in(ix_ctx *ctx, const ix_form *f, const double *in)
+{
+    const double *from = in;
+
+    for (int i = 0; i < f->ndirs; i++) {
+        int d = f->dirs[i].degree;
+        double *room = NULL;
+        ix__shape s;
+
+        if (d < 2)
+            continue;
+        if (d > IX__BINOM_TABLE)
+            IX_SCRATCH(ctx, room, d + 1);
+        ix__form_shape(f, i, &s);
+        ix__bern_scale(s.outer * s.nspans, d, s.inner, ix__binom(d, room), from,
+                       f->c);
+        from = f->c;
+    }
+    if (from != f->c)
+        memcpy(f->c, in, (size_t)f->nrows * f->n * sizeof *f->c);
+    return IX_OK;
+}
 
 /* Bernstein coefficients into to, double[nrows][n]; exp undone. */
 static ix_status unscale(ix_ctx *ctx, const ix_form *f, double *to)
