@@ -6,19 +6,22 @@
 
 #include "io/itd_read_impl.h"
 
-/* Divides v[n] by the length of its first three; false if that is 0. A length
- * of 1 up to rounding is left alone, so that writing and reading keep bits. */
+/* Divides v[n] by the length of its first three; false if that is 0 or the
+ * quotients overflow. A length of 1 up to rounding is left alone, so that
+ * writing and reading keep bits. */
 static bool make_unit(double *v, int n)
 {
-    double len = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    double s = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    double x = v[0] / s, y = v[1] / s, z = v[2] / s;
+    double len = s * sqrt(x * x + y * y + z * z);
 
-    if (!(len > 0) || !isfinite(len))
+    if (!(s > 0) || !isfinite(len))
         return false;
     if (fabs(len - 1) <= 4 * 0x1p-52)
         return true;
     for (int k = 0; k < n; k++)
         v[k] /= len;
-    return true;
+    return isfinite(v[n - 1]);
 }
 
 static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,

@@ -153,7 +153,8 @@ static bool ends_word(char c)
            c == 0x7f;
 }
 
-/* A file needs one word: what would break it becomes an underscore. */
+/* An object's name must be one word: what would break it becomes an
+ * underscore in files. */
 void ix__itdw_word(ix__itdw *w, const char *s)
 {
     if (!s || !*s) {
@@ -189,6 +190,26 @@ ix_status ix__itdw_quoted(ix__itdw *w, const char *s, size_t n)
     else
         ix__buf_add(w->b, s, n);
     ix__buf_putc(w->b, '"');
+    return IX_OK;
+}
+
+/* What stands for something else in front of vertices. */
+static bool is_reserved(const char *name)
+{
+    return ix__name_cmp(name, "NORMAL") == 0 ||
+           ix__name_cmp(name, "INTERNAL") == 0 ||
+           ix__name_cmp(name, "PLANE") == 0;
+}
+
+ix_status ix__itdw_attr_name(ix__itdw *w, const char *name)
+{
+    const char *s = name;
+
+    while (*s && !ends_word(*s))
+        s++;
+    if (w->file && (*s || s == name || is_reserved(name)))
+        return ix__itdw_quoted(w, name, strlen(name));
+    ix__buf_puts(w->b, name);
     return IX_OK;
 }
 

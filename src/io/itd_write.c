@@ -10,7 +10,7 @@ static ix_status write_attr(ix__itdw *w, const ix_attr *a, int column)
     ix_buf *b = w->b;
 
     ix__buf_putc(b, '[');
-    ix__itdw_word(w, a->name);
+    IX_TRY(ix__itdw_attr_name(w, a->name));
     switch (a->type) {
     case IX_ATTR_STRING:
         if (a->s[0]) {
@@ -50,7 +50,7 @@ ix_status ix__itdw_attrs(ix__itdw *w, const ix_attr *attrs, int column)
     for (const ix_attr *a = attrs; a; a = a->next) {
         bool obj = a->type == IX_ATTR_OBJ;
 
-        if (a->name[0] == '_' || !a->name[0])
+        if (a->name[0] == '_')
             continue;
         if (!fresh && (obj || (n > 0 && n % 2 == 0)))
             break_line(w, column);

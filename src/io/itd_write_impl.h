@@ -29,6 +29,8 @@ void ix__itdw_nums(ix__itdw *w, int n, const double *v); /* blanks between */
 void ix__itdw_real_attr(ix__itdw *w, double v);
 void ix__itdw_indent(ix__itdw *w, int column);
 void ix__itdw_word(ix__itdw *w, const char *s); /* a name; NULL: NONE */
+/* As it stands; quoted in files where a bare word would mean another thing. */
+ix_status ix__itdw_attr_name(ix__itdw *w, const char *name) IX_MUST_CHECK;
 /* Files: escaped. Dumps: as it is; in attributes with quotes escaped. */
 ix_status ix__itdw_quoted(ix__itdw *w, const char *s, size_t n) IX_MUST_CHECK;
 ix_status ix__itdw_attr_quoted(ix__itdw *w, const char *s) IX_MUST_CHECK;

@@ -126,5 +126,5 @@ bool ix__polygon_plane(const ix_polygon *pg, double plane[4])
     for (int k = 0; k < 3; k++)
         plane[k] = n[k] / len;
     plane[3] = 0 - (plane[0] * c[0] + plane[1] * c[1] + plane[2] * c[2]);
-    return true;
+    return isfinite(plane[3]);
 }

@@ -129,13 +129,13 @@ static const char *rand_text(ix_rng *r)
 
 static bool rand_attrs(ix_ctx *ctx, ix_rng *r, ix_attr **a, int depth)
 {
-    static const char *const names[] = {"width", "Color", "tExt", "CURVE",
-                                        "k-2"};
+    static const char *const names[] = {"width", "Color", "tExt",   "CURVE",
+                                        "k-2",   "",      "a ]\"b", "normal"};
     ix_status st = IX_OK;
     ix_obj *o;
 
     for (int i = ix_rng_int(r, 0, 3); i > 0 && st == IX_OK; i--) {
-        const char *name = names[ix_rng_int(r, 0, 4)];
+        const char *name = names[ix_rng_int(r, 0, 7)];
 
         switch (ix_rng_int(r, 0, depth > 0 ? 3 : 2)) {
         case 0:

@@ -104,6 +104,7 @@ static void test_objects(void **state)
     /* quoted: no name */
     same_object("[OBJECT NONE [NUMBER 1]]", "[OBJECT \"name\" [NUMBER 1]]");
     same_object("[OBJECT NONE [NUMBER 1]]", "[OBJECT none [NUMBER 1]]");
+    same_object("[OBJECT POINT [NUMBER 1]]", "[OBJECT Point [NUMBER 1]]");
 }
 
 /* An attribute's type follows from the look of its value. */
@@ -141,6 +142,33 @@ static void test_attributes(void **state)
     assert_string_equal(o->attrs->next->s, "");
     ix__obj_unref(ctx, o);
     ix_ctx_free(ctx);
+}
+
+/* A quoted name is a name, also where the word would mean something. */
+static void test_quoted_names(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_obj *o = read_text(ctx, "[OBJECT [\"two words\" 1] P [POLYGON "
+                               "[\"PLANE\" 2] 1 [[\"NORMAL\" 3] 0 0 0]]]");
+    const ix_polygon *p = o->u.poly->poly;
+
+    (void)state;
+    assert_int_equal(ix__attr_find(o->attrs, "Two Words")->i, 1);
+    assert_int_equal(ix__attr_find(p->attrs, "plane")->i, 2);
+    assert_int_equal(ix__attr_find(p->v[0].attrs, "normal")->i, 3);
+    assert_false(p->has_plane || p->v[0].has_normal);
+    ix__obj_unref(ctx, o);
+    ix_ctx_free(ctx);
+}
+
+static void test_many_attributes(void **state)
+{
+    char text[8000] = "[OBJECT ";
+
+    (void)state;
+    for (int i = 0; i < 1001; i++)
+        (void)snprintf(text + strlen(text), 8, "[a%d]", i);
+    refused(text, "1:5899: error: more than 1000 attributes");
 }
 
 static void test_strings(void **state)
@@ -504,6 +532,8 @@ int main(void)
                                        cmocka_unit_test(test_free_text),
                                        cmocka_unit_test(test_objects),
                                        cmocka_unit_test(test_attributes),
+                                       cmocka_unit_test(test_quoted_names),
+                                       cmocka_unit_test(test_many_attributes),
                                        cmocka_unit_test(test_strings),
                                        cmocka_unit_test(test_polygons),
                                        cmocka_unit_test(test_weights),

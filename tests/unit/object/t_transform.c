@@ -5,7 +5,7 @@
 #include "harness/fault.h"
 #include "harness/rand_obj.h"
 #include "harness/test.h"
-#include "object/object.h"
+#include "io/io.h"
 
 static const double shift[16] = {1, 0, 0, 0, 0, 1, 0, 0,
                                  0, 0, 1, 0, 1, 2, 3, 1};
@@ -286,6 +286,82 @@ static void test_sharing(void **state)
 
 /* --- boxes ------------------------------------------------------------ */
 
+/* The box of a freeform is that of its projected control points; missing
+ * coordinates are 0; a list has the box of all its elements. */
+static void test_bbox_values(void **state)
+{
+    ix_rng r = ix_rng_new(35);
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_obj *l = ix__obj_list(ctx);
+    double all[6], box[6], want[6];
+
+    (void)state;
+    for (int k = 0; k < 6; k++)
+        all[k] = k % 2 ? -HUGE_VAL : HUGE_VAL;
+    for (int i = 0; i < 40; i++) {
+        ix_obj *o = i % 2 ? rand_curve(ctx, &r)
+                          : ix_rand_obj_of(ctx, &r, IX_OBJ_TRIMSRF, 0);
+        const ix_mv *m = i % 2 ? ix__obj_first_mv(o) : o->u.trim.item[0]->srf;
+        const double *w = ix_mv_weights(m);
+
+        for (int c = 0; c < 3; c++) {
+            want[2 * c] = HUGE_VAL;
+            want[2 * c + 1] = -HUGE_VAL;
+            for (size_t k = 0; k < ix_mv_npts(m); k++) {
+                double v = c < ix_mv_ncoords(m) ? ix_mv_coord(m, c)[k] : 0;
+
+                v = w ? v / w[k] : v;
+                want[2 * c] = fmin(want[2 * c], v);
+                want[2 * c + 1] = fmax(want[2 * c + 1], v);
+            }
+            all[2 * c] = fmin(all[2 * c], want[2 * c]);
+            all[2 * c + 1] = fmax(all[2 * c + 1], want[2 * c + 1]);
+        }
+        ASSERT_OK(ctx, ix__obj_bbox(ctx, o, box));
+        for (int k = 0; k < 6; k++)
+            assert_true(box[k] == want[k]);
+        ASSERT_OK(ctx, ix__obj_append(ctx, l, o));
+        ix__obj_unref(ctx, o);
+    }
+    ASSERT_OK(ctx, ix__obj_bbox(ctx, l, box));
+    for (int k = 0; k < 6; k++)
+        assert_true(box[k] == all[k]);
+    ix__obj_unref(ctx, l);
+    ix_ctx_free(ctx);
+}
+
+/* Triangular surfaces, models, polygons and points. */
+static void test_bbox_others(void **state)
+{
+    static const struct {
+        const char *text;
+        double box[6];
+    } rows[] = {
+        {"[TRISRF BEZIER 2 P2 [2 2 4] [1 5 0] [1 -1 1]]", {-1, 5, 0, 2, 0, 0}},
+        {"[MODEL 1 0 [MDLTSRF 0 [SURFACE BEZIER 1 1 E3 [1 2 3]]]]",
+         {1, 1, 2, 2, 3, 3}},
+        {"[POLYLINE 2 [0 5 1] [1 2 3]]", {0, 1, 2, 5, 1, 3}},
+        {"[CTLPT P3 2 2 4 6]", {1, 1, 2, 2, 3, 3}},
+        {"[CTLPT E1 7]", {7, 7, 0, 0, 0, 0}},
+        {"[VECTOR 1 2 3]", {1, 1, 2, 2, 3, 3}},
+    };
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const char *t = rows[i].text;
+        double box[6];
+        ix_obj *o;
+
+        ASSERT_OK(ctx, ix__itd_read(ctx, t, t, strlen(t), &o));
+        ASSERT_OK(ctx, ix__obj_bbox(ctx, o, box));
+        for (int k = 0; k < 6; k++)
+            assert_true(box[k] == rows[i].box[k]);
+        ix__obj_unref(ctx, o);
+    }
+    ix_ctx_free(ctx);
+}
+
 static void test_bbox_errors(void **state)
 {
     const ix_dir dir = {IX_BEZIER, 2, 2, false, NULL};
@@ -361,10 +437,11 @@ static void test_faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_simple),  cmocka_unit_test(test_point_types),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_composition),
-        cmocka_unit_test(test_planes),  cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_sharing), cmocka_unit_test(test_bbox_errors),
+        cmocka_unit_test(test_simple),      cmocka_unit_test(test_point_types),
+        cmocka_unit_test(test_refused),     cmocka_unit_test(test_composition),
+        cmocka_unit_test(test_planes),      cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_sharing),     cmocka_unit_test(test_bbox_values),
+        cmocka_unit_test(test_bbox_others), cmocka_unit_test(test_bbox_errors),
         cmocka_unit_test(test_faults)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
