@@ -88,7 +88,8 @@ $(LIB): $(call obj,$(LIB_SRC)) $(B)/.srcs
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 $(SHLIB): $(call obj,$(LIB_SRC)) $(B)/.srcs src/exports
 	@echo "  LD    $@"
-	$(Q)$(LINK) -shared -Wl,-soname,libiritx.so.$(SOVER) -Wl,--version-script,src/exports \
+	$(Q)$(LINK) -shared $(if $(findstring sanitize,$(OPT_$(CFG))),,-Wl,--no-undefined) \
+	 -Wl,-soname,libiritx.so.$(SOVER) -Wl,--version-script,src/exports \
 	 $(filter %.o,$^) $(LIBS) -o $@
 $(B)/iritx: $(call obj,$(APP_SRC)) $(LIB)
 	@echo "  LD    $@"
@@ -107,8 +108,10 @@ RUN_golden    = tests/golden/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_mutate    = tests/hostile/mutate $(B)/iritx
+RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden roundtrip hostile mutate lint
+PARTS := unit selftest script golden roundtrip hostile mutate \
+         $(if $(filter release,$(CFG)),install) lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
 	@tests/harness/check $(foreach p,$(PARTS),"$(RUN_$(p))")
@@ -119,7 +122,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-roundtrip check-hostile check-mutate: $(PROG)
+check-script check-golden check-roundtrip check-hostile check-mutate check-install: $(PROG)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

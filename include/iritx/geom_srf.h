@@ -8,13 +8,14 @@
 #ifndef IRITX_GEOM_SRF_H
 #define IRITX_GEOM_SRF_H
 
+#include "iritx/geom.h"
 #include "iritx/mv.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* --- layers --------------------------------------------------------------- */
+/* --- layers ------------------------------------------------------------ */
 
 /* The linear blend from a (last parameter 0) to b (1): (1-t) a + t b.
  *
@@ -49,8 +50,46 @@ ix_status ix_srf_hermite(ix_ctx *ctx, const ix_mv *b1, const ix_mv *b2,
                          const ix_mv *t1, const ix_mv *t2,
                          ix_mv **out) IX_MUST_CHECK;
 
-/* --- revolution ------------------------------------------------------------
- */
+/* --- interpolation ----------------------------------------------------- */
+
+/* The B-spline in a new last direction that passes through n >= 2 layers
+ * (skinning): layer k at parameter tau_k.
+ *
+ * In    order  <= n
+ *       kv     IX_KV_OPEN or _FLOAT on [0, 1], tau the mean of those that how
+ *              gives for each row of control points; IX_KV_PERIODIC: tau_k = k
+ * / n, domain [0, 1] Err   IX_EARG as ix_srf_layers, or order > n; IX_EDOMAIN
+ * the layers do not determine the surface (even n and odd order when periodic),
+ * or all layers are the same and how is not uniform */
+ix_status ix_srf_skin(ix_ctx *ctx, int n, const ix_mv *const *layers, int order,
+                      ix_kv_kind kv, ix_param how, ix_mv **out) IX_MUST_CHECK;
+
+/* The open B-spline surface on [0, 1]^2 through a grid of points at uniform
+ * parameters, or nearest to them in the sense of least squares where size <
+ * count.
+ *
+ * In    pts    double[axes][count[0] * count[1]], u fastest
+ *       order  [2]; size [2] control points, 0: as many as data
+ * Err   IX_EARG order <= size <= count is not so */
+ix_status ix_srf_fit_grid(ix_ctx *ctx, const int count[2], int ncoords,
+                          bool rational, const double *pts, const int order[2],
+                          const int size[2], ix_mv **out) IX_MUST_CHECK;
+
+/* The same nearest to the projected surface srf, sampled 4 times as densely as
+ * the control points, over srf's domain; size 0: as srf. *err is the largest
+ * distance at the samples. */
+ix_status ix_srf_fit_surface(ix_ctx *ctx, const ix_mv *srf, const int order[2],
+                             const int size[2], double *err,
+                             ix_mv **out) IX_MUST_CHECK;
+
+/* The same nearest to n scattered data points: uv double[2][n] in [0, 1],
+ * values double[ncoords][n]. Err IX_EARG a parameter outside, sizes below the
+ * orders; IX_EDOMAIN the points do not determine all control points. */
+ix_status ix_srf_fit_points(ix_ctx *ctx, int n, const double *uv, int ncoords,
+                            const double *values, const int order[2],
+                            const int size[2], ix_mv **out) IX_MUST_CHECK;
+
+/* --- revolution -------------------------------------------------------- */
 
 /* How a full turn is represented. */
 typedef enum {
@@ -84,8 +123,7 @@ ix_status ix_srf_revolve_axis(ix_ctx *ctx, const ix_mv *crv, double a0,
  * q and r = sqrt(2) T / (1 - T), T the tangent of half the remaining angle. */
 double ix_circle_param(double degrees);
 
-/* --- patches from boundaries -----------------------------------------------
- */
+/* --- patches from boundaries ------------------------------------------- */
 
 /* Bilinearly blended patch of four boundary curves (Coons 1967):
  * S(., 0) = c1, S(., 1) = c2, S(0, .) = c3, S(1, .) = c4, domain [0, 1]^2.
@@ -99,8 +137,29 @@ ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
 ix_status ix_srf_boolone(ix_ctx *ctx, const ix_mv *crv,
                          ix_mv **out) IX_MUST_CHECK;
 
-/* --- sums, products, distances ----------------------------------------------
- */
+/* --- quadrics ---------------------------------------------------------- */
+
+/* A patch of the surface
+ *
+ *   A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0
+ *
+ * with coef = A .. J, as a rational biquadratic Bezier surface (P3) with
+ * positive weights, symmetric to the principal axes: 120 degrees of ellipses,
+ * hyperbolas with parameter -1 .. 1 from their vertex, everything unbounded
+ * over [-1, 1] along its axes; of two sheets one, of a cone both halves.
+ *
+ * Err   IX_EARG not finite; IX_EDOMAIN no real points, a point, a line, two
+ *       planes (the message tells)
+ * Num   exact up to rounding; zero is what is below 1e-12 of its terms */
+ix_status ix_srf_quadric(ix_ctx *ctx, const double coef[10],
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* The cylinder over the conic A x^2 + B xy + C y^2 + D x + E y + F = 0 (coef =
+ * A .. F) from the plane z = 0 (v = 0) to z = height; as above. */
+ix_status ix_srf_conic_cylinder(ix_ctx *ctx, const double coef[6],
+                                double height, ix_mv **out) IX_MUST_CHECK;
+
+/* --- sums, products, distances ----------------------------------------- */
 
 /* S(u, v) = a(u) + b(v); any number of directions each, a's first. */
 ix_status ix_srf_algsum(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
@@ -122,8 +181,7 @@ typedef enum {
 ix_status ix_srf_distance(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                           ix_dist what, ix_mv **out) IX_MUST_CHECK;
 
-/* --- sweeping ----------------------------------------------------------------
- */
+/* --- sweeping ---------------------------------------------------------- */
 
 typedef enum {
     IX_FRAME_MINIMAL, /* rotation minimising; begins with the least rotation
@@ -158,8 +216,7 @@ typedef struct {
 ix_status ix_srf_sweep(ix_ctx *ctx, const ix_sweep *s,
                        ix_mv **out) IX_MUST_CHECK;
 
-/* --- normals, tangents
- * --------------------------------------------------------- */
+/* --- normals, tangents ------------------------------------------------- */
 
 /* Unit normal S_v x S_u at (u, v). At a degenerate point it is taken a little
  * inside the domain. Err IX_EDOMAIN outside, at a pole, or no normal there. */
@@ -184,8 +241,7 @@ ix_status ix_srf_normal_field(ix_ctx *ctx, const ix_mv *srf,
 ix_status ix_srf_normal_cone(ix_ctx *ctx, const ix_mv *srf, double axis[3],
                              double *half_angle) IX_MUST_CHECK;
 
-/* --- other representations
- * ------------------------------------------------------ */
+/* --- other representations --------------------------------------------- */
 
 /* (1 - t) a + t b, control point by control point.
  * Err   IX_EARG a and b differ in directions, orders, lengths or point type,
@@ -207,8 +263,7 @@ ix_status ix_mv_moebius(ix_ctx *ctx, const ix_mv *m, int dir, double ratio,
 ix_status ix_bsp_inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
                        const int index[2], double *out) IX_MUST_CHECK;
 
-/* --- triangular Bezier patches
- * --------------------------------------------------- */
+/* --- triangular Bezier patches ----------------------------------------- */
 
 /* Control points double[naxes][n (n+1) / 2] for order n: index j over the
  * power of w outermost, i over that of v inside, so that point 0 belongs to

@@ -115,29 +115,36 @@ void ix__bern_integrate(int d, double f, const double *row, const double *row1,
     }
 }
 
+/* (1 - t) x + t y from the nearer of both, so that equal x and y give exactly
+ * that: a constant stays what it is. */
+static double mix(double x, double y, double t)
+{
+    return t <= 0.5 ? x + t * (y - x) : y + (1.0 - t) * (x - y);
+}
+
 /* One sweep of de Casteljau's rule over the rows 0 .. d, at parameter t:
  * row k becomes the blossom with t in k places (from below), or with t in
  * d - k places (from above). */
 static void subdivide_low(int d, double t, size_t inner, double *x)
 {
     for (int r = 1; r <= d; r++)
-        for (int k = d; k >= r; k--)
-            for (size_t i = 0; i < inner; i++) {
-                double *p = x + (size_t)k * inner + i;
+        for (int k = d; k >= r; k--) {
+            double *p = x + (size_t)k * inner;
 
-                *p = (1.0 - t) * p[-(ptrdiff_t)inner] + t * *p;
-            }
+            for (size_t i = 0; i < inner; i++)
+                p[i] = mix((p - inner)[i], p[i], t);
+        }
 }
 
 static void subdivide_high(int d, double t, size_t inner, double *x)
 {
     for (int r = 1; r <= d; r++)
-        for (int k = 0; k <= d - r; k++)
-            for (size_t i = 0; i < inner; i++) {
-                double *p = x + (size_t)k * inner + i;
+        for (int k = 0; k <= d - r; k++) {
+            double *p = x + (size_t)k * inner;
 
-                *p = (1.0 - t) * *p + t * p[inner];
-            }
+            for (size_t i = 0; i < inner; i++)
+                p[i] = mix(p[i], (p + inner)[i], t);
+        }
 }
 
 void ix__bern_restrict(int d, double a, double b, size_t inner,

@@ -1,9 +1,8 @@
 /* bsp_inner.c - inner products of B-spline basis functions. On a span both
  * functions are polynomials, so Gauss-Legendre with half of their degrees'
  * sum, rounded up, is exact. */
-#include <math.h>
-
 #include "base/ctx.h"
+#include "geom/gauss.h"
 #include "iritx/geom_srf.h"
 
 /* One basis function: order o, support knots k[0 .. o]. */
@@ -32,33 +31,6 @@ static double basis_value(const basis_fn *f, int span, double x)
     return n[0];
 }
 
-/* Nodes and weights of order n on [-1, 1] by Newton's method on P_n. */
-static void gauss_legendre(int n, double *x, double *w)
-{
-    for (int i = 0; i < n; i++) {
-        double t = cos(3.14159265358979323846 * (i + 0.75) / (n + 0.5));
-        double d = 1;
-
-        for (int round = 0; round < 20; round++) {
-            double p = 1, q = 0, step;
-
-            for (int j = 1; j <= n; j++) { /* p = P_j, q = P_{j-1} */
-                double r = ((2 * j - 1) * t * p - (j - 1) * q) / j;
-
-                q = p;
-                p = r;
-            }
-            d = n * (t * p - q) / (t * t - 1);
-            step = p / d;
-            t -= step;
-            if (fabs(step) <= 1e-16)
-                break;
-        }
-        x[i] = t;
-        w[i] = 2 / ((1 - t * t) * d * d);
-    }
-}
-
 typedef struct {
     int n;
     double *x, *w;
@@ -71,12 +43,12 @@ static double span_integral(const quadrature *g, const basis_fn f[2],
     double sum = 0;
 
     for (int i = 0; i < g->n; i++) {
-        double x = 0.5 * (a + b) + 0.5 * (b - a) * g->x[i];
+        double x = a + (b - a) * g->x[i];
 
         sum += g->w[i] * basis_value(&f[0], span[0], x) *
                basis_value(&f[1], span[1], x);
     }
-    return 0.5 * (b - a) * sum;
+    return (b - a) * sum;
 }
 
 static ix_status check(ix_ctx *ctx, int nknots, const int order[2],
@@ -117,6 +89,7 @@ static ix_status knots_of(ix_ctx *ctx, const ix_dir *dir, const double **knots,
 static ix_status inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
                        const int index[2], double *out)
 {
+    /* Degree order[0] + order[1] - 2 <= 2 n - 1. */
     quadrature g = {.n = (order[0] + order[1]) / 2};
     const double *knots;
     basis_fn f[2];
@@ -126,7 +99,7 @@ static ix_status inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
     IX_TRY(check(ctx, n, order, index));
     IX_SCRATCH(ctx, g.x, g.n);
     IX_SCRATCH(ctx, g.w, g.n);
-    gauss_legendre(g.n, g.x, g.w);
+    ix__gauss(g.n, g.x, g.w);
     for (int e = 0; e < 2; e++) {
         f[e] = (basis_fn){.order = order[e], .k = knots + index[e]};
         IX_SCRATCH(ctx, f[e].tri, order[e]);

@@ -256,12 +256,33 @@ static bool is_circular(const grid *g, ix__geom_fit *out)
     return fit_circle(&l, g->eps, out);
 }
 
+/* The signed area of a curve's loop, or of a surface's cells, as a vector. */
+static void area_vector(const grid *g, double out[3])
+{
+    points p = (points)g->p;
+    int n = g->n[0];
+
+    out[0] = out[1] = out[2] = 0;
+    for (int j = 0; j < (g->n[1] > 1 ? g->n[1] - 1 : 1); j++)
+        for (int i = 0; i + 1 < n; i++) {
+            bool cells = g->n[1] > 1;
+            const double *o = cells ? p[j * n + i] : p[0];
+            double a[3], b[3], c[3];
+
+            ix__sub3(p[j * n + i + (cells ? 1 : 0)], o, a);
+            ix__sub3(p[cells ? (j + 1) * n + i : i + 1], o, b);
+            ix__cross3(a, b, c);
+            ix__axpy3(out, 1, c, out);
+        }
+}
+
 /* The plane through the first point, the farthest from it and the farthest
  * from their line; any plane through shapes that are less than plane. */
 static bool is_planar(const grid *g, ix__geom_fit *out)
 {
     line l = all_points(g);
-    double u[3] = {1, 0, 0}, e[3], n[3], off, apart, *pl = out->plane;
+    double u[3] = {1, 0, 0}, e[3], n[3], area[3], off, apart, side;
+    double *pl = out->plane;
     int r = fit_line(&l, u, &off, &apart);
 
     if (apart == 0)
@@ -271,6 +292,10 @@ static bool is_planar(const grid *g, ix__geom_fit *out)
     ix__cross3(u, e, n);
     if (off > DBL_EPSILON * apart)
         ix__unit3(n, pl);
+    area_vector(g, area);
+    side = ix__dot3(pl, area) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        pl[i] = side * pl[i] + 0.0; /* no negative zeros */
     pl[3] = 0 - ix__dot3(pl, at(&l, 0));
     for (int i = 0; i < l.n; i++) {
         ix__sub3(at(&l, i), at(&l, 0), e);

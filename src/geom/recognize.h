@@ -29,7 +29,8 @@ typedef enum {
  *   const        point
  *   linear       point (the start), dir (unit)
  *   circular     point (centre), dir (unit normal), radius
- *   planar       plane (unit normal)
+ *   planar       plane (unit normal, by the right-hand rule from a curve's
+ *                loop or from directions 0 and 1 of a surface)
  *   spherical    point (centre), radius
  *   revolution   point on the axis, dir (unit)
  *   extrusion    dir (from the first to the farthest copy) */

@@ -17,8 +17,7 @@ typedef double frame3[3][3];
  * O(h^4), below 1e-8 for a quarter turn per node. */
 enum { SUBSTEPS = 32 };
 
-/* --- tangents
- * ----------------------------------------------------------------- */
+/* --- tangents ---------------------------------------------------------- */
 
 /* True where the axis has a corner: an interior knot of multiplicity at least
  * order - 1. */
@@ -73,8 +72,7 @@ static ix_status tangent(ix_ctx *ctx, const ix_mv *axis, double t,
     return IX_OK;
 }
 
-/* --- frames
- * ------------------------------------------------------------------- */
+/* --- frames ------------------------------------------------------------ */
 
 static ix_status first_frame(ix_ctx *ctx, const double tan[3], frame3 f)
 {
@@ -188,8 +186,7 @@ static ix_status binormal_frames(ix_ctx *ctx, const ix_sweep *s,
     return IX_OK;
 }
 
-/* --- the pieces of the product
- * --------------------------------------------------- */
+/* --- the pieces of the product ----------------------------------------- */
 
 /* The axis, open, with three coordinates and the wanted extra knots: t[3]. */
 static ix_status prepare_axis(ix_ctx *ctx, const ix_sweep *s, ix_mv *t[4])

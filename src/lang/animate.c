@@ -109,14 +109,18 @@ typedef struct {
 static ix_status transformed(const anim *a, const ix_obj *o, const double m[16],
                              ix_obj **out)
 {
-    if (a->matrices)
+    if (a->matrices) {
         *out = ix__obj_matrix(a->ctx, m);
-    else if (o->type == IX_OBJ_NUMBER || o->type == IX_OBJ_STRING ||
-             o->type == IX_OBJ_MATRIX)
+        return *out ? IX_OK : IX_ENOMEM;
+    }
+    if (o->type == IX_OBJ_NUMBER || o->type == IX_OBJ_STRING ||
+        o->type == IX_OBJ_MATRIX) {
         *out = ix__obj_copy(a->ctx, o);
-    else
-        return ix__obj_transform(a->ctx, o, m, out);
-    return *out ? IX_OK : IX_ENOMEM;
+        return *out ? IX_OK : IX_ENOMEM;
+    }
+    IX_TRY(ix__obj_transform(a->ctx, o, m, out));
+    ix__attr_remove(a->ctx, &(*out)->attrs, "animation"); /* it is done */
+    return IX_OK;
 }
 
 /* *out is NULL for what is not visible. outer: what comes after o's own. */
@@ -140,6 +144,8 @@ static ix_status animate(const anim *a, const ix_obj *o, const double outer[16],
         return transformed(a, o, m, out);
     list = ix__obj_list(a->ctx);
     st = list ? ix__attr_copy_all(a->ctx, o->attrs, &list->attrs) : IX_ENOMEM;
+    if (st == IX_OK)
+        ix__attr_remove(a->ctx, &list->attrs, "animation");
     for (int i = 0; i < o->u.list.n && st == IX_OK; i++) {
         st = animate(a, o->u.list.item[i], m, depth + 1, &item);
         if (st == IX_OK && item) {

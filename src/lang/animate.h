@@ -11,7 +11,8 @@
  * order of the list. VISIBLE: the object is there while the value is positive.
  * Times outside of a curve's domain count as its nearer end.
  *
- * In a list each element's own animation comes first, then the list's.
+ * In a list each element's own animation comes first, then the list's. The
+ * result has no attribute "animation" any more.
  * matrices: instead of the objects, the same hierarchy of matrices.
  * Objects that are not visible are left out of lists; alone they become an
  * empty list. Out: a new reference. Err IX_EARG an animation that is none;

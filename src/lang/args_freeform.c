@@ -8,8 +8,7 @@
 
 #include "iritx/sym.h"
 
-/* --- knots
- * --------------------------------------------------------------------- */
+/* --- knots ------------------------------------------------------------- */
 
 static bool kv_of(double code, ix_kv_kind *out)
 {
@@ -102,8 +101,7 @@ ix_status ix__arg_knots(ix_call *c, int i, const ix_obj *list, int order,
     return IX_OK;
 }
 
-/* --- meshes
- * -------------------------------------------------------------------- */
+/* --- meshes ------------------------------------------------------------ */
 
 /* Checks that all lists at one level are equally long and appends the points
  * of the innermost ones to flat. Recursion is at most three deep. */
@@ -146,8 +144,7 @@ ix_status ix__arg_mesh(ix_call *c, int i, int depth, ix_mesh *out)
     return st;
 }
 
-/* --- lists of freeforms
- * ----------------------------------------------------------- */
+/* --- lists of freeforms ------------------------------------------------ */
 
 ix_status ix__arg_mvs(ix_call *c, int i, ix_obj_type type, int *n,
                       const ix_mv ***out)
@@ -198,8 +195,7 @@ ix_status ix__arg_vec3(ix_call *c, int i, double v[3])
     return IX_OK;
 }
 
-/* --- results
- * ---------------------------------------------------------------------- */
+/* --- results ----------------------------------------------------------- */
 
 ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m, int geom_type)
 {

@@ -43,8 +43,7 @@ ix_status ix__arg_pttype(ix_call *c, int i, int *ncoords,
 /* The vector of three coordinates of a point or vector, no projection. */
 ix_status ix__arg_vec3(ix_call *c, int i, double v[3]) IX_MUST_CHECK;
 
-/* --- results
- * ------------------------------------------------------------------ */
+/* --- results ----------------------------------------------------------- */
 
 /* As ix__ret_mv, with the attribute GeomType. Takes over m. */
 ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m,

@@ -16,8 +16,7 @@ static const ix_mv *shape(const ix_call *c, int i)
                                      : ix__arg_mv(c, i);
 }
 
-/* --- domains, sizes, types ---------------------------------------------------
- */
+/* --- domains, sizes, types --------------------------------------------- */
 
 static ix_status pdomain(ix_call *c)
 {
@@ -91,8 +90,7 @@ static ix_status ffpoles(ix_call *c)
     return ix__ret_num(c, ix_mv_has_poles(ix__arg_mv(c, 0)));
 }
 
-/* --- knots and control points
- * --------------------------------------------------- */
+/* --- knots and control points ------------------------------------------ */
 
 static ix_status add_knots(ix_ctx *ctx, ix_obj *list, const ix_dir *dir)
 {
@@ -207,8 +205,7 @@ static ix_status ffextreme(ix_call *c)
     return ix__ret_ctlpt(c, m->ncoords, false, ix__arg_bool(c, 1) ? lo : hi);
 }
 
-/* --- coordinates apart and together
- * ---------------------------------------------- */
+/* --- coordinates apart and together ------------------------------------ */
 
 static ix_status ffsplit(ix_call *c)
 {
@@ -254,8 +251,7 @@ static ix_status ffmerge(ix_call *c)
                    ix__obj_mv(c->ctx, c->argv[0]->u.list.item[0]->type, out));
 }
 
-/* --- blossoms
- * ---------------------------------------------------------------------- */
+/* --- blossoms ---------------------------------------------------------- */
 
 /* The order - 1 numbers of direction d. */
 static ix_status blossom_args(ix_call *c, const ix_obj *list, const ix_mv *m,
@@ -300,8 +296,7 @@ static ix_status blossom(ix_call *c)
     return ix__ret_ctlpt(c, m->ncoords, m->rational, v);
 }
 
-/* --- boundaries
- * --------------------------------------------------------------------- */
+/* --- boundaries -------------------------------------------------------- */
 
 /* Both ends of all directions: 4 curves or 6 surfaces. */
 static ix_status shape_boundary(ix_call *c, const ix_mv *m)
@@ -400,9 +395,7 @@ static ix_status boundary(ix_call *c)
     return shape_boundary(c, ix__arg_mv(c, 0));
 }
 
-/* --- table
- * -----------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define C "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2), ctlpt(E2,2,0))); "
 #define S                                                       \

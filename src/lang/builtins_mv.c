@@ -8,8 +8,7 @@
 #include "lang/poly_expr.h"
 #include "lang/prims_freeform.h"
 
-/* --- construction
- * --------------------------------------------------------------- */
+/* --- construction ------------------------------------------------------ */
 
 /* The integers lo .. hi of a list of at most IX_MAX_DIRS. */
 static ix_status int_list(ix_call *c, int i, int lo, int hi, int *n, int *out)
@@ -102,8 +101,7 @@ static ix_status mvexplicit(ix_call *c)
     return ix__ret(c, ix__obj_mv(c->ctx, IX_OBJ_MULTIVAR, out));
 }
 
-/* --- directions
- * ------------------------------------------------------------------- */
+/* --- directions -------------------------------------------------------- */
 
 static ix_status mpromote(ix_call *c)
 {
@@ -159,9 +157,7 @@ static ix_status mmerge(ix_call *c)
     return ix__ret_mv(c, 0, out);
 }
 
-/* --- table
- * -----------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define M                                                                  \
     "m = mbezier(list(2, 2), list(ctlpt(E1,0), ctlpt(E1,1), ctlpt(E1,1), " \

@@ -50,9 +50,7 @@ static ix_status dist2ff(ix_call *c)
     return ix__ret(c, ix__obj_mv(c->ctx, IX_OBJ_MULTIVAR, out));
 }
 
-/* --- table
- * ---------------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define PAIR                                                        \
     "a = cbezier(list(point(0,0,0), point(1,0,1), point(2,1,0))); " \

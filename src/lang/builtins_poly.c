@@ -9,9 +9,7 @@
 #include "lang/args_freeform.h"
 #include "lang/poly_rows.h"
 
-/* --- POLY
- * ---------------------------------------------------------------------------------
- */
+/* --- POLY -------------------------------------------------------------- */
 
 /* Vertices that an element of the list contributes; -1: it has no place. */
 static int vertices_of(const ix_obj *o)
@@ -128,9 +126,7 @@ static ix_status poly(ix_call *c)
     return st;
 }
 
-/* --- several in one
- * ----------------------------------------------------------------------------
- */
+/* --- several in one ---------------------------------------------------- */
 
 /* All polygons of n values in one. */
 static ix_status join(ix_ctx *ctx, int n, const ix_poly *const *p,
@@ -197,9 +193,7 @@ static ix_status insertpoly(ix_call *c)
     return IX_OK;
 }
 
-/* --- chains
- * ----------------------------------------------------------------------------------------
- */
+/* --- chains ------------------------------------------------------------ */
 
 /* Polylines in the making: positions of pieces in the order of the chain. */
 typedef struct {
@@ -353,9 +347,7 @@ static ix_status pts2plln(ix_call *c)
     return chain_all(c, p, l->n, ix__arg_num(c, 1));
 }
 
-/* --- table
- * ---------------------------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define P "p = poly(list(point(0,0,0), point(1,0,0), point(1,1,0)), false); "
 

@@ -39,23 +39,18 @@ static ix_status add_root(ix_ctx *ctx, ix_obj *list, const ix_root *r)
     return ix__list_add(ctx, list, root_object(ctx, r, r->hi));
 }
 
-/* Parameters of the roots, with the domain's ends or without. */
-static ix_status root_list(ix_call *c, const ix_mv *f, int axis, bool ends)
+static ix_status root_list(ix_call *c, const ix_mv *f, int axis)
 {
     ix_obj *list = NULL;
     ix_root *r;
-    double dom[2];
     ix_status st;
     int n;
 
-    ix_mv_domain(f, 0, dom);
     IX_TRY(ix_roots(c->ctx, f, axis, NULL, &r, &n));
     list = ix__obj_list(c->ctx);
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; st == IX_OK && i < n; i++)
-        if (ends || r[i].kind == IX_ROOT_INTERVAL ||
-            (r[i].hi > dom[0] && r[i].lo < dom[1] && r[i].before && r[i].after))
-            st = add_root(c->ctx, list, &r[i]);
+        st = add_root(c->ctx, list, &r[i]);
     ix_roots_free(c->ctx, r, n);
     return ix__ret_list(c, list, st);
 }
@@ -87,7 +82,7 @@ static ix_status czeros(ix_call *c)
 
     IX_TRY(arg_axis(c, 2, ix__arg_mv(c, 0), &axis));
     IX_TRY(no_power(c->ctx, ix__arg_mv(c, 0), &f));
-    st = root_list(c, f, axis, true);
+    st = root_list(c, f, axis);
     ix_mv_unref(c->ctx, f);
     return st;
 }
@@ -108,7 +103,7 @@ static ix_status cextremes(ix_call *c)
         st = ix_sym_derive(c->ctx, f, 0, NULL, &d);
     ix_mv_unref(c->ctx, f);
     IX_TRY(st);
-    st = root_list(c, d, axis, false);
+    st = root_list(c, d, axis);
     ix_mv_unref(c->ctx, d);
     return st;
 }
@@ -272,8 +267,8 @@ const ix_builtin ix__builtins_solve[] = {
      "jumps and intervals carry the attribute RootKind.",
      "l = czeros(circle(vector(0, 0, 0), 1), 1e-5, 2);", czeros, 0, 9},
     {"CEXTREMES", "c:curve eps:num axis:num -> list",
-     "All parameters inside the domain where a coordinate is stationary; eps "
-     "is not needed.",
+     "All parameters where a coordinate is stationary (the domain's ends only "
+     "where it is so there); eps is not needed.",
      "l = cextremes(circle(vector(0, 0, 0), 1), 1e-5, 2);", cextremes, 0, 9},
     {"MZERO", "mvs:list subdiv:num numer:num -> list",
      "All common zeros of scalar multivariates, as control points of their "

@@ -106,8 +106,7 @@ static ix_status symbdprod(ix_call *c)
     return binary(c, ix_sym_dot);
 }
 
-/* --- inner products of basis functions
- * ------------------------------------------- */
+/* --- inner products of basis functions --------------------------------- */
 
 /* What the first call keeps for those that follow, among the remembered
  * states of the interpreter: a copy of the curve, and the orders. */
@@ -165,9 +164,7 @@ static ix_status symbiprod(ix_call *c)
     return ix__ret_num(c, v);
 }
 
-/* --- table
- * -----------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define AB                                              \
     "a = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2))); " \

@@ -8,8 +8,7 @@
 #include "lang/args_freeform.h"
 #include "lang/prims_freeform.h"
 
-/* --- trivariates
- * ---------------------------------------------------------------------- */
+/* --- trivariates ------------------------------------------------------- */
 
 static ix_status tbezier(ix_call *c)
 {
@@ -54,8 +53,7 @@ static ix_status ruledtv(ix_call *c)
     return ix__ret_geom(c, -1, out, IX__GEOM_TRIVAR_RULED);
 }
 
-/* --- triangular patches
- * ------------------------------------------------------------------ */
+/* --- triangular patches ------------------------------------------------ */
 
 /* A patch of the given shape from a list of exactly its points; knots NULL
  * unless it is a B-spline. */
@@ -193,9 +191,7 @@ static ix_status tsnormal(ix_call *c)
     return ix__ret_vector(c, n);
 }
 
-/* --- table
- * ---------------------------------------------------------------------------------
- */
+/* --- table ------------------------------------------------------------- */
 
 #define T                                                                    \
     "t = tbezier(list(list(list(ctlpt(E1,0), ctlpt(E1,1)), "                 \
@@ -259,6 +255,12 @@ const ix_builtin ix__builtins_trivar[] = {
     {"TMORPH", "t1:trivar t2:trivar blend:num -> trivar",
      "(1 - blend) t1 + blend t2, which must be compatible.",
      T "r = tmorph(t, t, 0.5);", ix__prim_morph, 0, 15},
+
+    {"TINTPSRFS", "srfs:list order:num kv:num param:num -> trivar",
+     "Trivariate through all surfaces, w spaced by PARAM_*.",
+     S "t = tintpsrfs(list(s, s * trans(vector(0,0,1)), s * "
+       "trans(vector(0,0,3))), 3, KV_OPEN, PARAM_CHORD);",
+     ix__prim_skin, 0, 15},
 
     {"TSBEZIER", "order:num pts:list -> trisrf",
      "Triangular Bezier patch of order (order + 1) / 2 points: rows of falling "

@@ -21,8 +21,7 @@ typedef struct {
     int nesting;
 } parser;
 
-/* --- dense polynomials
- * ------------------------------------------------------------- */
+/* --- dense polynomials ------------------------------------------------- */
 
 static ix_status poly_new(parser *p, const int *deg, poly *out)
 {
@@ -124,8 +123,7 @@ static ix_status poly_pow(parser *p, const poly *a, int e, poly *out)
     return IX_OK;
 }
 
-/* --- parsing
- * ------------------------------------------------------------------------ */
+/* --- parsing ----------------------------------------------------------- */
 
 static char peek(parser *p)
 {
@@ -284,8 +282,7 @@ static ix_status parse_sum(parser *p, poly *out)
     return IX_OK;
 }
 
-/* --- result
- * -------------------------------------------------------------------------- */
+/* --- result ------------------------------------------------------------ */
 
 /* True if some coefficient has the full degree in direction d. */
 static bool full_degree(const poly *a, int d)

@@ -7,6 +7,7 @@
 #include "iritx/geom_srf.h"
 #include "iritx/sym.h"
 #include "lang/args_freeform.h"
+#include "lang/curve_args.h"
 
 /* The freeform and a direction of it, from arguments 0 and i. */
 static ix_status fetch_dir(ix_call *c, int i, const ix_mv **m, int *dir)
@@ -216,5 +217,21 @@ ix_status ix__prim_layers(ix_call *c)
     IX_TRY(ix__arg_int(c, 1, 2, IX_MAX_ORDER, &order));
     IX_TRY(ix__arg_kv(c, 2, &kv));
     IX_TRY(ix_srf_layers(c->ctx, n, layers, order, kv, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+ix_status ix__prim_skin(ix_call *c)
+{
+    const ix_mv **layers;
+    ix_kv_kind kv;
+    ix_param how;
+    int n, order;
+    ix_mv *out;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_UNDEF, &n, &layers));
+    IX_TRY(ix__arg_int(c, 1, 2, IX_MAX_ORDER, &order));
+    IX_TRY(ix__arg_kv(c, 2, &kv));
+    IX_TRY(ix__arg_param(c, 3, &how));
+    IX_TRY(ix_srf_skin(c->ctx, n, layers, order, kv, how, &out));
     return ix__ret_mv(c, -1, out);
 }

@@ -22,5 +22,7 @@ ix_status ix__prim_edit(ix_call *c);      /* (m, ctlpt, index ...) */
 ix_status ix__prim_eval(ix_call *c);      /* (m, t ...) or (m, list) */
 ix_status ix__prim_layers(ix_call *c);    /* (list, order, kv): one direction
                                              more than the elements have */
+ix_status ix__prim_skin(ix_call *c);      /* (list, order, kv, param): the same
+                                             through all elements */
 
 #endif

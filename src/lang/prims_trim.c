@@ -10,8 +10,7 @@
 /* The reference snaps ends of trimming curves that are this near. */
 #define TRIM_EPS 1e-4
 
-/* --- loops
- * -------------------------------------------------------------------------- */
+/* --- loops ------------------------------------------------------------- */
 
 static ix_status ends(ix_ctx *ctx, const ix_mv *c, double p[2][2])
 {
@@ -109,8 +108,7 @@ static ix_status fill_loops(ix_ctx *ctx, ix_trimsrf *t, int skip, int nloops,
     return IX_OK;
 }
 
-/* --- primitives
- * -------------------------------------------------------------------- */
+/* --- primitives -------------------------------------------------------- */
 
 /* The curves of argument 1, checked to be planar. */
 static ix_status trim_curves(ix_call *c, int *n, const ix_mv ***crv)

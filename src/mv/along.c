@@ -56,3 +56,13 @@ ix_status ix__mv_with_knots(ix_ctx *ctx, const ix_mv *m, int dir,
     memcpy((*out)->pts, m->pts, m->npts * (size_t)m->naxes * sizeof *m->pts);
     return IX_OK;
 }
+
+ix_status ix__mv_finish(ix_ctx *ctx, ix_status st, ix_mv *m, ix_mv **out)
+{
+    *out = NULL;
+    if (st == IX_OK)
+        *out = m;
+    else
+        ix_mv_unref(ctx, m);
+    return st;
+}

@@ -42,11 +42,7 @@ static ix_status no_power(ix_ctx *ctx, ix_mv **m)
 {
     ix_mv *next;
 
-    if (!has_basis(*m, IX_POWER))
-        return IX_OK;
-    if (has_basis(*m, IX_BSPLINE))
-        return step(ctx, m, &next, ix_mv_to_bspline(ctx, *m, &next));
-    return step(ctx, m, &next, ix_mv_power_to_bezier(ctx, *m, &next));
+    return step(ctx, m, &next, ix__mv_no_power(ctx, *m, &next));
 }
 
 /* B-spline if either is, in every direction. */

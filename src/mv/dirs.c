@@ -66,15 +66,20 @@ ix_status ix_mv_insert_dir(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)
 
 /* --- one direction less ------------------------------------------------- */
 
-/* Checks, then a block like m's without direction dir; points unset. */
+static ix_status can_spare(ix_ctx *ctx, const ix_mv *m, int dir)
+{
+    IX_TRY(ix__mv_check_dir(ctx, m, dir));
+    if (m->ndirs == 1)
+        return IX_FAIL(ctx, IX_EARG, "a curve has no direction to spare");
+    return IX_OK;
+}
+
+/* A block like m's without direction dir; points unset. */
 static ix_status without(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)
 {
     ix_dir dirs[IX_MAX_DIRS];
     int n = 0;
 
-    IX_TRY(ix__mv_check_dir(ctx, m, dir));
-    if (m->ndirs == 1)
-        return IX_FAIL(ctx, IX_EARG, "a curve has no direction to spare");
     for (int d = 0; d < m->ndirs; d++)
         if (d != dir)
             dirs[n++] = m->dirs[d];
@@ -98,7 +103,7 @@ static ix_status fix(ix_ctx *ctx, const ix_mv *m, int dir, double t,
 ix_status ix_mv_fix(ix_ctx *ctx, const ix_mv *m, int dir, double t, ix_mv **out)
 {
     *out = NULL;
-    IX_TRY(ix__mv_check_dir(ctx, m, dir));
+    IX_TRY(can_spare(ctx, m, dir));
     IX_RETURN_SCOPED(ctx, fix(ctx, m, dir, t, out));
 }
 
@@ -108,7 +113,7 @@ ix_status ix_mv_layer(ix_ctx *ctx, const ix_mv *m, int dir, int i, ix_mv **out)
     size_t n;
 
     *out = NULL;
-    IX_TRY(ix__mv_check_dir(ctx, m, dir));
+    IX_TRY(can_spare(ctx, m, dir));
     if (i < 0 || i >= m->dirs[dir].length)
         return IX_FAIL(ctx, IX_EARG, "layer %d of %d in direction %d", i,
                        m->dirs[dir].length, dir);

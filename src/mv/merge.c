@@ -306,13 +306,15 @@ static ix_status add_point_scoped(ix_ctx *ctx, const ix_mv *m, const double *p,
 ix_status ix_mv_add_point(ix_ctx *ctx, const ix_mv *m, const double *p,
                           bool before, ix_mv **out)
 {
-    ix_mv *cur = ix_mv_ref(m), *next;
+    ix_mv *cur, *next;
 
     *out = NULL;
-    if (m->ndirs != 1) {
-        ix_mv_unref(ctx, cur);
+    if (m->ndirs != 1)
         return IX_FAIL(ctx, IX_EARG, "%d directions: not a curve", m->ndirs);
-    }
+    for (int a = 0; a < m->naxes; a++)
+        if (!isfinite(p[a]))
+            return IX_FAIL(ctx, IX_EARG, "coordinate %d is %g", a, p[a]);
+    cur = ix_mv_ref(m);
     IX_TRY(open_dir(ctx, &cur, 0));
     if (cur->dirs[0].order == 1) /* a segment is linear */
         IX_TRY(

@@ -62,6 +62,9 @@ ix_status ix__mv_clip(ix_ctx *ctx, const ix_mv *m, int dir, const double t[2],
 /* A periodic direction made float: points repeated at its end. */
 ix_status ix__mv_unwrap(ix_ctx *ctx, const ix_mv *m, int dir,
                         ix_mv **out) IX_MUST_CHECK;
+/* Power directions made Bezier, the others left. */
+ix_status ix__mv_no_power(ix_ctx *ctx, const ix_mv *m,
+                          ix_mv **out) IX_MUST_CHECK;
 /* Direction dir made open; m itself if it is. */
 ix_status ix__mv_open_dir(ix_ctx *ctx, const ix_mv *m, int dir,
                           ix_mv **out) IX_MUST_CHECK;
@@ -80,6 +83,11 @@ ix_status ix__mv_compatible_dirs(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
  * else NULL. Returns st. */
 ix_status ix__mv_step(ix_ctx *ctx, ix_mv **cur, ix_mv **next,
                       ix_status st) IX_MUST_CHECK;
+
+/* The end of a builder whose last step may fail: *out = m, or m released and
+ * *out NULL. Returns st. */
+ix_status ix__mv_finish(ix_ctx *ctx, ix_status st, ix_mv *m,
+                        ix_mv **out) IX_MUST_CHECK;
 
 /* The checks of ix_mv_new without the points. */
 ix_status ix__mv_check_dirs(ix_ctx *ctx, int ndirs, const ix_dir *dirs,

@@ -64,18 +64,17 @@ static void dir_to_power(const rows *r)
     }
 }
 
-static ix_status convert(ix_ctx *ctx, const ix_mv *m, ix_basis to, ix_mv **out)
+/* Directions of basis from become to. */
+static ix_status convert(ix_ctx *ctx, const ix_mv *m, ix_basis from,
+                         ix_basis to, ix_mv **out)
 {
     ix_mv *r;
-    bool same = true;
+    bool any = false;
 
     *out = NULL;
-    for (int d = 0; d < m->ndirs; d++) {
-        if (m->dirs[d].basis == IX_BSPLINE)
-            return IX_FAIL(ctx, IX_EARG, "direction %d is a B-spline", d);
-        same = same && m->dirs[d].basis == to;
-    }
-    if (same) {
+    for (int d = 0; d < m->ndirs; d++)
+        any = any || m->dirs[d].basis == from;
+    if (!any) {
         *out = ix_mv_ref(m);
         return IX_OK;
     }
@@ -84,7 +83,7 @@ static ix_status convert(ix_ctx *ctx, const ix_mv *m, ix_basis to, ix_mv **out)
     for (int d = 0; d < m->ndirs; d++) {
         rows all = {r->pts, m->dirs[d].order, ix__mv_shape(m, d)};
 
-        if (m->dirs[d].basis == to)
+        if (m->dirs[d].basis != from)
             continue;
         r->dirs[d].basis = to;
         if (to == IX_BEZIER)
@@ -96,12 +95,29 @@ static ix_status convert(ix_ctx *ctx, const ix_mv *m, ix_basis to, ix_mv **out)
     return IX_OK;
 }
 
+ix_status ix__mv_no_power(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
+{
+    return convert(ctx, m, IX_POWER, IX_BEZIER, out);
+}
+
+static ix_status refuse_bspline(ix_ctx *ctx, const ix_mv *m)
+{
+    for (int d = 0; d < m->ndirs; d++)
+        if (m->dirs[d].basis == IX_BSPLINE)
+            return IX_FAIL(ctx, IX_EARG, "direction %d is a B-spline", d);
+    return IX_OK;
+}
+
 ix_status ix_mv_power_to_bezier(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 {
-    return convert(ctx, m, IX_BEZIER, out);
+    *out = NULL;
+    IX_TRY(refuse_bspline(ctx, m));
+    return ix__mv_no_power(ctx, m, out);
 }
 
 ix_status ix_mv_bezier_to_power(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 {
-    return convert(ctx, m, IX_POWER, out);
+    *out = NULL;
+    IX_TRY(refuse_bspline(ctx, m));
+    return convert(ctx, m, IX_BEZIER, IX_POWER, out);
 }

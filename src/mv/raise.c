@@ -22,7 +22,9 @@ static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
     ix__mv_extent s = ix__mv_shape(m, dir);
     size_t pieces, low, high;
     double *bern, *more;
+    ix_status st;
     ix_spans sp;
+    ix_mv *r;
     ix_rows rows;
     ix_dir nd;
 
@@ -37,9 +39,9 @@ static ix_status raise_bspline(ix_ctx *ctx, const ix_mv *m, int dir, int order,
     ix__rows_apply(ctx, &rows, old->order, pieces, s.inner, bern, more);
     sp.degree = order - 1;
     IX_TRY(ix__spans_target(ctx, &sp, INT_MAX, false, &nd));
-    IX_TRY(ix__mv_alloc_like(ctx, m, dir, &nd, out));
-    return ix__spans_compose(ctx, &sp, &nd, s.outer, s.inner, more,
-                             (*out)->pts);
+    IX_TRY(ix__mv_alloc_like(ctx, m, dir, &nd, &r));
+    st = ix__spans_compose(ctx, &sp, &nd, s.outer, s.inner, more, r->pts);
+    return ix__mv_finish(ctx, st, r, out);
 }
 
 static ix_status raise_dir(ix_ctx *ctx, const ix_mv *m, int dir, int order,

@@ -87,13 +87,9 @@ static ix_status fit(ix_ctx *ctx, const pieces *p, const ix_dir *nd,
     IX_TRY(ix__mv_alloc_like(ctx, p->m, p->dir, nd, &r));
     st = ix__spans_fit(ctx, &p->sp, nd, p->s.outer, p->s.inner, p->bern, r->pts,
                        each);
-    if (st != IX_OK) {
-        ix_mv_unref(ctx, r);
-        return st;
-    }
-    *err = change(p->m, p->s.outer, each);
-    *out = r;
-    return IX_OK;
+    if (st == IX_OK)
+        *err = change(p->m, p->s.outer, each);
+    return ix__mv_finish(ctx, st, r, out);
 }
 
 /* --- order ---------------------------------------------------------------- */

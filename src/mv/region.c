@@ -2,63 +2,21 @@
 #include <math.h>
 #include <string.h>
 
+#include "bern/bern.h"
 #include "mv/mv.h"
 
-/* --- Bezier ------------------------------------------------------------- */
-
-/* x = x + s (y - x) or, s > 1/2, from y: exact at both ends. */
-static void mix(double *x, const double *y, double s, size_t n)
-{
-    if (s <= 0.5)
-        for (size_t l = 0; l < n; l++)
-            x[l] += s * (y[l] - x[l]);
-    else
-        for (size_t l = 0; l < n; l++)
-            x[l] = y[l] + (1 - s) * (x[l] - y[l]);
-}
-
-/* Coefficients c[order][inner] of [0, 1] become those of [s, 1]. */
-static void keep_right(double *c, int order, size_t inner, double s)
-{
-    for (int r = 1; r < order && s != 0; r++)
-        for (int i = 0; i < order - r; i++)
-            mix(c + (size_t)i * inner, c + (size_t)(i + 1) * inner, s, inner);
-}
-
-/* ... those of [0, s]. */
-static void keep_left(double *c, int order, size_t inner, double s)
-{
-    for (int r = 1; r < order && s != 1; r++)
-        for (int j = order - 1; j >= r; j--)
-            mix(c + (size_t)j * inner, c + (size_t)(j - 1) * inner, 1 - s,
-                inner);
-}
-
-/* Two cuts, first the one that leaves the longer piece for the other. */
 static ix_status clip_bezier(ix_ctx *ctx, const ix_mv *m, int dir,
                              const double t[2], ix_mv **out)
 {
     ix__mv_extent s = ix__mv_shape(m, dir);
-    int order = m->dirs[dir].order;
-    double a = t[0], b = t[1];
+    size_t block = (size_t)m->dirs[dir].order * s.inner;
 
     IX_TRY(ix__mv_alloc_like(ctx, m, dir, m->dirs + dir, out));
-    memcpy((*out)->pts, m->pts, m->npts * (size_t)m->naxes * sizeof *m->pts);
-    for (size_t o = 0; o < s.outer; o++) {
-        double *c = (*out)->pts + o * (size_t)order * s.inner;
-
-        if (fabs(b) >= fabs(1 - a)) {
-            keep_left(c, order, s.inner, b);
-            keep_right(c, order, s.inner, a / b);
-        } else {
-            keep_right(c, order, s.inner, a);
-            keep_left(c, order, s.inner, (b - a) / (1 - a));
-        }
-    }
+    for (size_t o = 0; o < s.outer; o++)
+        ix__bern_restrict(m->dirs[dir].order - 1, t[0], t[1], s.inner,
+                          m->pts + o * block, (*out)->pts + o * block);
     return IX_OK;
 }
-
-/* --- B-spline ----------------------------------------------------------- */
 
 /* Open knots on [t0, t1]: order times each end, dir's knots between. */
 static ix_status clip_knots(ix_ctx *ctx, const ix_dir *dir, const double t[2],

@@ -97,16 +97,11 @@ static ix_status to_bezier_scoped(ix_ctx *ctx, const ix_mv *m,
 
 ix_status ix_mv_to_bezier(ix_ctx *ctx, const ix_mv *m, ix_mv_pieces *out)
 {
-    bool power = false;
     ix_mv *cur;
     ix_status st;
 
     *out = (ix_mv_pieces){0};
-    for (int d = 0; d < m->ndirs; d++)
-        power = power || m->dirs[d].basis == IX_POWER;
-    if (!power)
-        return to_bezier_scoped(ctx, m, out);
-    IX_TRY(ix_mv_to_bspline(ctx, m, &cur));
+    IX_TRY(ix__mv_no_power(ctx, m, &cur));
     st = to_bezier_scoped(ctx, cur, out);
     ix_mv_unref(ctx, cur);
     return st;

@@ -21,27 +21,27 @@ static ix_status to_bspline(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
     return IX_OK;
 }
 
+static ix_status to_bspline_scoped(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
+{
+    IX_RETURN_SCOPED(ctx, to_bspline(ctx, m, out));
+}
+
 ix_status ix_mv_to_bspline(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 {
-    bool all = true, power = false;
-    ix_mv *bez;
-    ix_status st;
+    ix_mv *cur, *next;
+    bool all = true;
 
     *out = NULL;
-    for (int d = 0; d < m->ndirs; d++) {
+    for (int d = 0; d < m->ndirs; d++)
         all = all && m->dirs[d].basis == IX_BSPLINE;
-        power = power || m->dirs[d].basis == IX_POWER;
-    }
     if (all) {
         *out = ix_mv_ref(m);
         return IX_OK;
     }
-    if (!power)
-        IX_RETURN_SCOPED(ctx, to_bspline(ctx, m, out));
-    IX_TRY(ix_mv_power_to_bezier(ctx, m, &bez));
-    st = ix_mv_to_bspline(ctx, bez, out); /* no power basis left: one level */
-    ix_mv_unref(ctx, bez);
-    return st;
+    IX_TRY(ix__mv_no_power(ctx, m, &cur));
+    IX_TRY(ix__mv_step(ctx, &cur, &next, to_bspline_scoped(ctx, cur, &next)));
+    *out = cur;
+    return IX_OK;
 }
 
 ix_status ix__mv_unwrap(ix_ctx *ctx, const ix_mv *m, int dir, ix_mv **out)

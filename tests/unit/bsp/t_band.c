@@ -22,8 +22,7 @@ static void fill(ix_ctx *ctx, ix_rng *r, problem *p)
 
     p->a = ix__scratch_zero(ctx, (size_t)(p->rows * p->n), sizeof *p->a);
     p->y = ix__scratch(ctx, (size_t)p->rows * 2, sizeof *p->y);
-    ASSERT_OK(ctx,
-              ix__band_new(ctx, p->n, p->width, p->periodic, 2, &p->band));
+    ASSERT_OK(ctx, ix__band_new(ctx, p->n, p->width, p->periodic, 2, &p->band));
     for (int i = 0; i < p->rows; i++) {
         int last = p->periodic ? p->n - 1 : p->n - p->width;
         int first = (int)((double)i / p->rows * (last + 1));
