@@ -105,12 +105,13 @@ RUN_unit      = tests/unit/run $(TESTS)
 RUN_selftest  = tests/script/selftest
 RUN_script    = tests/script/run $(B)/iritx
 RUN_golden    = tests/golden/run $(B)/iritx
+RUN_reference = tests/reference/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_mutate    = tests/hostile/mutate $(B)/iritx
 RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden roundtrip hostile mutate \
+PARTS := unit selftest script golden reference roundtrip hostile mutate \
          $(if $(filter release,$(CFG)),install) lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -122,7 +123,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-roundtrip check-hostile check-mutate check-install: $(PROG)
+check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-install: $(PROG)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

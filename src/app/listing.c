@@ -1,7 +1,6 @@
 /* listing.c - functions by chapter, and help on one of them. */
 #include "app/listing.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -72,11 +71,11 @@ static const char *header_of(const char *text, int *n)
 
 static void list_startup(void)
 {
-    for (size_t i = 0; ix__startup_text[i][0]; i++) {
+    for (const ix__startup_fn *f = ix__startup_text; f->name; f++) {
         int n;
-        const char *header = header_of(ix__startup_text[i][1], &n);
+        const char *header = header_of(f->text, &n);
 
-        (void)printf("%-20s %.*s\n", ix__startup_text[i][0], n, header);
+        (void)printf("%-20s %.*s\n", f->name, n, header);
     }
 }
 
@@ -95,19 +94,18 @@ void listing_functions(void)
 
 static bool help_startup(const char *name)
 {
-    char upper[64];
-    size_t n = strlen(name);
-    const char *text;
+    const ix__startup_fn *f = ix__startup_find(name);
+    const char *header;
+    int n;
 
-    if (n >= sizeof upper)
+    if (!f)
         return false;
-    for (size_t i = 0; i <= n; i++)
-        upper[i] = (char)toupper((unsigned char)name[i]);
-    text = ix__startup_find(upper);
-    if (text)
-        (void)printf("%s is a function of the start-up library:\n%s\n", upper,
-                     text);
-    return text != NULL;
+    header = header_of(f->text, &n);
+    (void)printf("%s %.*s\n    %s\n", f->name, n, header, f->summary);
+    if (f->example)
+        (void)printf("    Example: %s\n", f->example);
+    (void)printf("    Text: %s\n", f->text);
+    return true;
 }
 
 bool listing_help(const char *name)
@@ -116,7 +114,9 @@ bool listing_help(const char *name)
 
     if (!f)
         return help_startup(name);
-    (void)printf("%s %s\n    %s\n    Example: %s\n", f->name, f->signature,
-                 f->summary, f->example);
+    (void)printf("%s %s\n    %s\n", f->name, f->signature, f->summary);
+    if (f->flags & IX_B_SOFT)
+        (void)printf("    Its errors are soft: the script goes on.\n");
+    (void)printf("    Example: %s\n", f->example);
     return true;
 }

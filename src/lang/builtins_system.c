@@ -11,6 +11,7 @@
 
 #include "base/numfmt.h"
 #include "lang/interp.h"
+#include "lang/startup.h"
 
 /* Prints what a buffer holds, and frees it. */
 static ix_status print(ix_call *c, ix_buf *b)
@@ -343,12 +344,16 @@ static ix_status b_help(ix_call *c)
 {
     const char *topic = ix__arg_str(c, 0);
     const ix_builtin *f = ix__builtin_find(topic);
+    const ix__startup_fn *lib = ix__startup_find(topic);
     ix_buf b;
 
     ix__buf_init(&b, c->ctx);
     if (f)
         ix__buf_printf(&b, "%s %s\n    %s\n    Example: %s\n", f->name,
                        f->signature, f->summary, f->example);
+    else if (lib)
+        ix__buf_printf(&b, "%s\n    %s\n    Text: %s\n", lib->name,
+                       lib->summary, lib->text);
     else if (*topic)
         ix__remark(c->in, "no function is called %.60s", topic);
     else

@@ -745,15 +745,15 @@ static ix_status compile_startup(ix_interp *in, const char *text)
 ix_status ix__fn_lookup(ix_interp *in, const char *name, ix__sym **out)
 {
     ix__sym *s = ix__sym_find(in, name);
-    const char *text;
+    const ix__startup_fn *f;
 
     *out = s && s->fn ? s : NULL;
     if (*out || (s && s->no_startup) || ix__bi_find(name))
         return IX_OK;
-    text = ix__startup_find(name);
-    if (!text)
+    f = ix__startup_find(name);
+    if (!f)
         return IX_OK;
-    IX_TRY(compile_startup(in, text));
+    IX_TRY(compile_startup(in, f->text));
     *out = ix__sym_find(in, name);
     return IX_OK;
 }

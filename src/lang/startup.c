@@ -401,71 +401,117 @@ const ix_builtin ix__builtins_startup[] = {
  * -------------------------------------------------------------------------- */
 
 /* A command of one word or of a word and an argument for display devices. */
-#define COMMAND(name, word)                                             \
-    {                                                                   \
-        name, name " = procedure():command_: command_ = \"" word "\": " \
-                   "viewobj(command_);"                                 \
+#define COMMAND(name, word, summary, example)                         \
+    {                                                                 \
+        name,                                                         \
+            name " = procedure():command_: command_ = \"" word "\": " \
+                 "viewobj(command_);",                                \
+            summary, example                                          \
     }
-#define COMMAND_OF(name, word)                                                \
-    {                                                                         \
-        name, name " = procedure(x):command_: command_ = \"" word " \" + x: " \
-                   "viewobj(command_);"                                       \
+#define COMMAND_OF(name, word, summary, example)                            \
+    {                                                                       \
+        name,                                                               \
+            name " = procedure(x):command_: command_ = \"" word " \" + x: " \
+                 "viewobj(command_);",                                      \
+            summary, example                                                \
     }
 
-const char *const ix__startup_text[][2] = {
+const ix__startup_fn ix__startup_text[] = {
     /* displays */
-    COMMAND("BEEP", "BEEP"),
-    COMMAND("VIEWCLEAR", "CLEAR"),
-    COMMAND("VIEWDCLEAR", "DCLEAR"),
-    COMMAND("VIEWDISC", "DISCONNECT"),
-    COMMAND("VIEWEXIT", "EXIT"),
-    COMMAND_OF("VIEWCLONEOBJ", "CLONEOBJ"),
-    COMMAND_OF("VIEWEDITCRV", "EDITCRV"),
-    COMMAND_OF("VIEWEDITOBJ", "EDITOBJ"),
-    COMMAND_OF("VIEWEDITSRF", "EDITSRF"),
-    COMMAND_OF("VIEWIMGSAVE", "IMGSAVE"),
-    COMMAND_OF("VIEWMSAVE", "MSAVE"),
-    COMMAND_OF("VIEWREMOVE", "REMOVE"),
-    {"VIEWANIM", "viewanim = procedure(t0, t1, dt):command_: "
-                 "command_ = \"ANIMATE \" + t0 ^ \" \" ^ t1 ^ \" \" ^ dt: "
-                 "viewobj(command_);"},
-    {"VIEWSTATE", "viewstate = procedure(name, value):command_: "
-                  "command_ = \"STATE \" + name + \" \" + value: "
-                  "viewobj(command_);"},
-    {"VIEW", "view = procedure(obj, clear): "
-             "if (clear != 0, viewdclear()): viewobj(obj);"},
-    {"PAUSE", "pause = procedure():t: t = 0;"},
-    {"MILISLEEP", "milisleep = procedure(ms): msleep(ms);"},
-    {"INTERACT", "interact = procedure(obj): viewdclear(): viewobj(obj): "
-                 "pause();"},
-    {"DEMO", "demo = procedure(): include(\"demo.irt\");"},
+    COMMAND("BEEP", "BEEP", "Rings the bell of displays.", "beep();"),
+    COMMAND("VIEWCLEAR", "CLEAR", "Clears displays.", "viewclear();"),
+    COMMAND("VIEWDCLEAR", "DCLEAR",
+            "Clears displays when something is shown next.", "viewdclear();"),
+    COMMAND("VIEWDISC", "DISCONNECT", "Leaves displays to themselves.",
+            "viewdisc();"),
+    COMMAND("VIEWEXIT", "EXIT", "Ends displays.", "viewexit();"),
+    COMMAND_OF("VIEWCLONEOBJ", "CLONEOBJ",
+               "Displays copy the object of that name.",
+               "viewcloneobj(\"AXES\");"),
+    COMMAND_OF("VIEWEDITCRV", "EDITCRV",
+               "Displays edit the curve of that name.", "vieweditcrv(\"C\");"),
+    COMMAND_OF("VIEWEDITOBJ", "EDITOBJ",
+               "Displays edit the object of that name.",
+               "vieweditobj(\"AXES\");"),
+    COMMAND_OF("VIEWEDITSRF", "EDITSRF",
+               "Displays edit the surface of that name.",
+               "vieweditsrf(\"S\");"),
+    COMMAND_OF("VIEWIMGSAVE", "IMGSAVE", "Displays save their image.",
+               "viewimgsave(\"image.ppm\");"),
+    COMMAND_OF("VIEWMSAVE", "MSAVE", "Displays save their matrix.",
+               "viewmsave(\"view.imd\");"),
+    COMMAND_OF("VIEWREMOVE", "REMOVE",
+               "Displays remove the object of that name.",
+               "viewremove(\"AXES\");"),
+    {"VIEWANIM",
+     "viewanim = procedure(t0, t1, dt):command_: "
+     "command_ = \"ANIMATE \" + t0 ^ \" \" ^ t1 ^ \" \" ^ dt: "
+     "viewobj(command_);",
+     "Displays run the animation from t0 to t1 in steps dt.",
+     "viewanim(0, 1, 0.01);"},
+    {"VIEWSTATE",
+     "viewstate = procedure(name, value):command_: "
+     "command_ = \"STATE \" + name + \" \" + value: "
+     "viewobj(command_);",
+     "Sets a state of displays.", "viewstate(\"DSrfMesh\", 1);"},
+    {"VIEW",
+     "view = procedure(obj, clear): "
+     "if (clear != 0, viewdclear()): viewobj(obj);",
+     "Shows an object, alone if clear is not 0.", "view(axes, on);"},
+    {"PAUSE", "pause = procedure():t: t = 0;",
+     "Waits for the user; scripts that run on their own do not wait.",
+     "pause();"},
+    {"MILISLEEP", "milisleep = procedure(ms): msleep(ms);",
+     "Waits like MSLEEP.", "milisleep(10);"},
+    {"INTERACT",
+     "interact = procedure(obj): viewdclear(): viewobj(obj): "
+     "pause();",
+     "Shows an object alone, then PAUSE.", "interact(axes);"},
+    {"DEMO", "demo = procedure(): include(\"demo.irt\");",
+     "Runs the script demo.irt.", "demo();"},
 
     /* functions */
-    {"FREEALLUSERDEFFUNCS", "freealluserdeffuncs = procedure(): fnfree(\"\");"},
+    {"FREEALLUSERDEFFUNCS", "freealluserdeffuncs = procedure(): fnfree(\"\");",
+     "Removes all user functions.", "freealluserdeffuncs();"},
     {"FREEUSERDEFFUNCS",
      "freeuserdeffuncs = procedure(names):i: "
-     "for (i = 1, 1, sizeof(names), fnfree(nth(names, i)));"},
+     "for (i = 1, 1, sizeof(names), fnfree(nth(names, i)));",
+     "Removes the user functions of a list of names.",
+     "f = function(x): return = x; freeuserdeffuncs(list(\"f\"));"},
     {"GENRANDOMCOLOR",
      "genrandomcolor = function(): return = floor(random(100, 256)) + \",\" + "
-     "floor(random(100, 256)) + \",\" + floor(random(100, 256));"},
+     "floor(random(100, 256)) + \",\" + floor(random(100, 256));",
+     "A random light colour as \"r,g,b\", each from 100 to 255.",
+     "genrandomcolor();"},
 
     /* edges and grids */
-    {"EDGE2D", "edge2d = function(x1, y1, x2, y2): "
-               "return = ctlpt(E2, x1, y1) + ctlpt(E2, x2, y2);"},
-    {"EDGE3D", "edge3d = function(x1, y1, z1, x2, y2, z2): "
-               "return = ctlpt(E3, x1, y1, z1) + ctlpt(E3, x2, y2, z2);"},
-    {"GRIDXY", "gridxy = function(n):i:x: return = nil(): "
-               "for (i = 0, 1, n, x = 2 * i / n - 1: "
-               "snoc(ctlpt(E3, x, -1, 0) + ctlpt(E3, x, 1, 0), return): "
-               "snoc(ctlpt(E3, -1, x, 0) + ctlpt(E3, 1, x, 0), return));"},
-    {"GRIDXYZ", "gridxyz = function(n):i:x:g: return = nil(): g = gridxy(n): "
-                "for (i = 0, 1, n, x = 2 * i / n - 1: "
-                "snoc(g * tz(x), return): snoc(g * rx(90) * ty(x), return));"},
+    {"EDGE2D",
+     "edge2d = function(x1, y1, x2, y2): "
+     "return = ctlpt(E2, x1, y1) + ctlpt(E2, x2, y2);",
+     "The segment from (x1, y1) to (x2, y2).", "edge2d(0, 0, 1, 2);"},
+    {"EDGE3D",
+     "edge3d = function(x1, y1, z1, x2, y2, z2): "
+     "return = ctlpt(E3, x1, y1, z1) + ctlpt(E3, x2, y2, z2);",
+     "The segment from (x1, y1, z1) to (x2, y2, z2).",
+     "edge3d(0, 0, 0, 1, 2, 3);"},
+    {"GRIDXY",
+     "gridxy = function(n):i:x: return = nil(): "
+     "for (i = 0, 1, n, x = 2 * i / n - 1: "
+     "snoc(ctlpt(E3, x, -1, 0) + ctlpt(E3, x, 1, 0), return): "
+     "snoc(ctlpt(E3, -1, x, 0) + ctlpt(E3, 1, x, 0), return));",
+     "n + 1 lines in each direction on the square [-1, 1] x [-1, 1].",
+     "g = gridxy(4);"},
+    {"GRIDXYZ",
+     "gridxyz = function(n):i:x:g: return = nil(): g = gridxy(n): "
+     "for (i = 0, 1, n, x = 2 * i / n - 1: "
+     "snoc(g * tz(x), return): snoc(g * rx(90) * ty(x), return));",
+     "GRIDXY at n + 1 heights and the lines between.", "g = gridxyz(2);"},
     {"MAKEPOLYNSIDES",
      "makepolynsides = function(n):i:pts: pts = nil(): "
      "for (i = 0, 1, n - 1, "
      "snoc(vector(cos(2 * pi * i / n), sin(2 * pi * i / n), 0), pts)): "
-     "return = poly(pts, false);"},
+     "return = poly(pts, false);",
+     "A regular polygon on the unit circle.", "p = makepolynsides(6);"},
     {"MAKEKVMARKERS",
      "makekvmarkers = function(kv, order, vspace):i:m:t:last: "
      "return = list(ctlpt(E2, nth(kv, 1), 0) + "
@@ -473,21 +519,28 @@ const char *const ix__startup_text[][2] = {
      "for (i = 1, 1, sizeof(kv), t = nth(kv, i): "
      "if (i > 1, if (abs(t - last) < 1e-14, m = m + 1, m = 0)): last = t: "
      "snoc(ctlpt(E2, t, -(m + 1) * vspace) + ctlpt(E2, t, -m * vspace), "
-     "return));"},
+     "return));",
+     "A diagram of a knot vector: an axis, and a tick for each knot, multiple "
+     "ones below each other.",
+     "l = makekvmarkers(list(0, 0, 0, 1, 1, 1), 3, 0.1);"},
     {"TRANSPGRIDAUX",
      "transpgridaux = function(n, m, scl, even):i:j: return = nil(): "
      "for (i = 0, 1, n - 1, for (j = 0, 1, m - 1, "
      "if (iseven(i + j) == even, snoc(poly(list("
      "point(i * scl, j * scl, 0), point((i + 1) * scl, j * scl, 0), "
      "point((i + 1) * scl, (j + 1) * scl, 0), "
-     "point(i * scl, (j + 1) * scl, 0)), false), return))));"},
+     "point(i * scl, (j + 1) * scl, 0)), false), return))));",
+     "The squares of one colour of a checkerboard.",
+     "l = transpgridaux(2, 2, 1, 0);"},
     {"TRANSPGRIDTICKS",
      "transpgridticks = function(n, m, scl, dup):i: return = nil(): "
      "for (i = 0, 1, n * dup, snoc(poly(list(point(i * scl / dup, 0, 0), "
      "point(i * scl / dup, -scl / 4, 0)), true), return)): "
      "for (i = 0, 1, m * dup, snoc(poly(list(point(0, i * scl / dup, 0), "
      "point(-scl / 4, i * scl / dup, 0)), true), return)): "
-     "return = mergepoly(return): attrib(return, \"rgb\", \"64,64,64\");"},
+     "return = mergepoly(return): attrib(return, \"rgb\", \"64,64,64\");",
+     "Ticks beside a checkerboard, dup for each square.",
+     "p = transpgridticks(2, 2, 1, 5);"},
     {"TRANSPGRID",
      "transpgrid = function(n, m, scale, ticks):a:b: "
      "a = mergepoly(transpgridaux(n, m, scale, 0)): "
@@ -495,21 +548,30 @@ const char *const ix__startup_text[][2] = {
      "attrib(a, \"rgb\", \"100,100,255\"): attrib(a, \"transp\", 0.75): "
      "attrib(b, \"rgb\", \"255,255,255\"): attrib(b, \"transp\", 0.75): "
      "return = list(a, b): "
-     "if (ticks > 0, snoc(transpgridticks(n, m, scale, ticks), return));"},
+     "if (ticks > 0, snoc(transpgridticks(n, m, scale, ticks), return));",
+     "A transparent checkerboard of n x m squares with ticks.",
+     "l = transpgrid(4, 4, 1, 0);"},
 
     /* control points and samples */
     {"GETCTLPOINTS",
      "getctlpoints = function(crv, asvec):i:p:type: type = point_type: "
      "if (asvec != 0, type = vector_type): return = nil(): "
      "for (i = 0, 1, sizeof(crv) - 1, p = coerce(coord(crv, i), type): "
-     "snoc(p, return));"},
-    {"GETCTLPOLYGON", "getctlpolygon = function(crv): "
-                      "return = poly(getctlpoints(crv, false), true);"},
+     "snoc(p, return));",
+     "The control points of a curve, as points or (asvec) vectors.",
+     "l = getctlpoints(circle(vector(0, 0, 0), 1), false);"},
+    {"GETCTLPOLYGON",
+     "getctlpolygon = function(crv): "
+     "return = poly(getctlpoints(crv, false), true);",
+     "The control polygon of a curve as a polyline.",
+     "p = getctlpolygon(circle(vector(0, 0, 0), 1));"},
     {"GETCTLMESHPTS",
      "getctlmeshpts = function(srf, asvec):i:p:type: type = point_type: "
      "if (asvec != 0, type = vector_type): return = nil(): "
      "for (i = 0, 1, meshsize(srf, col) * meshsize(srf, row) - 1, "
-     "p = coerce(coord(srf, i), type): snoc(p, return));"},
+     "p = coerce(coord(srf, i), type): snoc(p, return));",
+     "The control points of a surface, as points or (asvec) vectors.",
+     "l = getctlmeshpts(planesrf(0, 0, 1, 1), false);"},
     {"GETCTLMESH",
      "getctlmesh = function(srf):i:j:n:m:l: n = meshsize(srf, col): "
      "m = meshsize(srf, row): return = nil(): "
@@ -518,113 +580,177 @@ const char *const ix__startup_text[][2] = {
      "snoc(poly(l, true), return)): "
      "for (i = 0, 1, n - 1, l = nil(): for (j = 0, 1, m - 1, "
      "snoc(coerce(coord(srf, j * n + i), point_type), l)): "
-     "snoc(poly(l, true), return));"},
+     "snoc(poly(l, true), return));",
+     "The rows and columns of the control mesh as polylines.",
+     "l = getctlmesh(planesrf(0, 0, 1, 1));"},
     {"GETISOCURVES",
      "getisocurves = function(srf, nu, nv):i:d: d = pdomain(srf): "
      "return = nil(): "
      "for (i = 0, 1, nu, snoc(csurface(srf, col, "
      "nth(d, 1) + (nth(d, 2) - nth(d, 1)) * i / nu), return)): "
      "for (i = 0, 1, nv, snoc(csurface(srf, row, "
-     "nth(d, 3) + (nth(d, 4) - nth(d, 3)) * i / nv), return));"},
-    {"GETISOCURVETUBES", "getisocurvetubes = function(srf, nu, nv, rad):i:l: "
-                         "l = getisocurves(srf, nu, nv): return = nil(): "
-                         "for (i = 1, 1, sizeof(l), "
-                         "snoc(swpcircsrf(nth(l, i), rad, 0), return));"},
+     "nth(d, 3) + (nth(d, 4) - nth(d, 3)) * i / nv), return));",
+     "nu + 1 curves of constant u and nv + 1 of constant v.",
+     "l = getisocurves(planesrf(0, 0, 1, 1), 2, 2);"},
+    {"GETISOCURVETUBES",
+     "getisocurvetubes = function(srf, nu, nv, rad):i:l: "
+     "l = getisocurves(srf, nu, nv): return = nil(): "
+     "for (i = 1, 1, sizeof(l), "
+     "snoc(swpcircsrf(nth(l, i), rad, 0), return));",
+     "The curves of GETISOCURVES as tubes of a radius.",
+     "l = getisocurvetubes(planesrf(0, 0, 1, 1) * tz(0), 1, 1, 0.1);"},
     {"CNVRTCRVTOPOLYGON",
      "cnvrtcrvtopolygon = function(crv, n, ispolyline):i:a:b:m:t:pts: "
      "a = nth(pdomain(crv), 1): b = nth(pdomain(crv), 2): m = n - 1: "
      "if (ispolyline == 0, if (dstptpt(coerce(ceval(crv, a), point_type), "
      "coerce(ceval(crv, b), point_type)) < 1e-5, m = n)): pts = nil(): "
      "for (i = 0, 1, n - 1, t = a + (b - a) * i / m: "
-     "snoc(ceval(crv, t), pts)): return = poly(pts, ispolyline);"},
+     "snoc(ceval(crv, t), pts)): return = poly(pts, ispolyline);",
+     "n points of a curve as a polyline, or a polygon if isPolyline is 0.",
+     "p = cnvrtcrvtopolygon(circle(vector(0, 0, 0), 1), 10, false);"},
     {"CNVRTPOLYTOPTLIST",
      "cnvrtpolytoptlist = function(poly):i: return = nil(): "
-     "for (i = 0, 1, sizeof(poly) - 1, snoc(coord(poly, i), return));"},
+     "for (i = 0, 1, sizeof(poly) - 1, snoc(coord(poly, i), return));",
+     "The vertices of a single polygon or polyline.",
+     "l = cnvrtpolytoptlist(makepolynsides(4));"},
     {"CNVRTPOLYTOCRV",
      "cnvrtpolytocrv = function(poly, order, kv): "
-     "return = cbspline(order, cnvrtpolytoptlist(poly), list(kv));"},
+     "return = cbspline(order, cnvrtpolytoptlist(poly), list(kv));",
+     "The B-spline curve with the vertices as control points.",
+     "c = cnvrtpolytocrv(makepolynsides(5), 3, KV_OPEN);"},
     {"CNVRTPOLYTOTUBE",
      "cnvrtpolytotube = function(poly, rad, minpt, maxpt):n: "
      "n = sizeof(poly): return = nil(): "
      "if (n >= minpt, return = swpcircsrf(cinterp(cnvrtpolytoptlist(poly), "
-     "min(4, n), min(n, maxpt), param_chord, false), rad, 0));"},
+     "min(4, n), min(n, maxpt), param_chord, false), rad, 0));",
+     "A tube along a smooth curve through a polyline, of at most maxPt control "
+     "points; nothing if it has fewer than minPt points.",
+     "s = cnvrtpolytotube(poly(list(point(0, 0, 0), point(1, 0, 0), point(2, "
+     "1, 1), point(3, 1, 2)), true), 0.1, 3, 10);"},
     {"PUTCRVMARKERS",
      "putcrvmarkers = function(crv, n, size):i:a:b:t:p:v: "
      "a = nth(pdomain(crv), 1): b = nth(pdomain(crv), 2): return = nil(): "
      "for (i = 0, 1, n, t = a + (b - a) * i / n: "
      "p = coerce(ceval(crv, t), vector_type): v = cnormal(crv, t) * size: "
-     "snoc(coerce(p - v, E3) + coerce(p + v, E3), return));"},
+     "snoc(coerce(p - v, E3) + coerce(p + v, E3), return));",
+     "n + 1 short segments across a curve.",
+     "l = putcrvmarkers(circle(vector(0, 0, 0), 1), 8, 0.1);"},
     /* surfaces */
-    {"PLANESRF", "planesrf = function(x1, y1, x2, y2): return = ruledsrf("
-                 "ctlpt(E2, x1, y1) + ctlpt(E2, x2, y1), "
-                 "ctlpt(E2, x1, y2) + ctlpt(E2, x2, y2));"},
-    {"FLATSRF", "flatsrf = function(uorder, vorder): return = sbezier(list("
-                "list(ctlpt(E3, -1, -1, 0), ctlpt(E3, -1, 1, 0)), "
-                "list(ctlpt(E3, 1, -1, 0), ctlpt(E3, 1, 1, 0)))): "
-                "if (uorder > 2, return = sraise(return, row, uorder)): "
-                "if (vorder > 2, return = sraise(return, col, vorder));"},
+    {"PLANESRF",
+     "planesrf = function(x1, y1, x2, y2): return = ruledsrf("
+     "ctlpt(E2, x1, y1) + ctlpt(E2, x2, y1), "
+     "ctlpt(E2, x1, y2) + ctlpt(E2, x2, y2));",
+     "The rectangle with corners (x1, y1) and (x2, y2).",
+     "s = planesrf(0, 0, 2, 1);"},
+    {"FLATSRF",
+     "flatsrf = function(uorder, vorder): return = sbezier(list("
+     "list(ctlpt(E3, -1, -1, 0), ctlpt(E3, -1, 1, 0)), "
+     "list(ctlpt(E3, 1, -1, 0), ctlpt(E3, 1, 1, 0)))): "
+     "if (uorder > 2, return = sraise(return, row, uorder)): "
+     "if (vorder > 2, return = sraise(return, col, vorder));",
+     "The square [-1, 1] x [-1, 1], u along y, raised to the orders.",
+     "s = flatsrf(3, 4);"},
     {"SPHERESRF",
      "spheresrf = function(r):s: s = sin(pi / 4): return = surfrev(cbspline("
      "3, list(ctlpt(P3, 1, 0, 0, -1), ctlpt(P3, s, -s, 0, -s), "
      "ctlpt(P3, 1, -1, 0, 0), ctlpt(P3, s, -s, 0, s), "
      "ctlpt(P3, 1, 0, 0, 1)), list(0, 0, 0, 1, 1, 2, 2, 2))) * "
-     "scale(vector(r, r, r));"},
+     "scale(vector(r, r, r));",
+     "A sphere round the origin: direction U turns from -x, V goes from the "
+     "lower pole to the upper.",
+     "s = spheresrf(2);"},
     {"CYLINSRF",
      "cylinsrf = function(h, r): return = surfrev(ctlpt(E3, 0, 0, 0) + "
-     "ctlpt(E3, r, 0, 0) + ctlpt(E3, r, 0, h) + ctlpt(E3, 0, 0, h));"},
-    {"CONESRF", "conesrf = function(h, r): return = surfrev("
-                "ctlpt(E3, 0, 0, 0) + ctlpt(E3, r, 0, 0) + "
-                "ctlpt(E3, 0, 0, h));"},
+     "ctlpt(E3, r, 0, 0) + ctlpt(E3, r, 0, h) + ctlpt(E3, 0, 0, h));",
+     "A closed cylinder of height h and radius r on the xy plane.",
+     "s = cylinsrf(2, 1);"},
+    {"CONESRF",
+     "conesrf = function(h, r): return = surfrev("
+     "ctlpt(E3, 0, 0, 0) + ctlpt(E3, r, 0, 0) + "
+     "ctlpt(E3, 0, 0, h));",
+     "A closed cone of height h on a disc of radius r in the xy plane.",
+     "s = conesrf(2, 1);"},
     {"CONE2SRF",
      "cone2srf = function(h, r1, r2): return = surfrev(ctlpt(E3, 0, 0, 0) + "
-     "ctlpt(E3, r1, 0, 0) + ctlpt(E3, r2, 0, h) + ctlpt(E3, 0, 0, h));"},
+     "ctlpt(E3, r1, 0, 0) + ctlpt(E3, r2, 0, h) + ctlpt(E3, 0, 0, h));",
+     "A closed truncated cone of height h with radii r1 below and r2 above.",
+     "s = cone2srf(2, 1, 0.5);"},
     {"SWPCIRCSRF",
      "swpcircsrf = function(axis, scale, refine): return = swpsclsrf("
-     "circle(vector(0, 0, 0), 1), axis, scale, off, refine);"},
-    {"TORUSSRF", "torussrf = function(r1, r2): "
-                 "return = swpcircsrf(circle(vector(0, 0, 0), r1), r2, 0);"},
+     "circle(vector(0, 0, 0), 1), axis, scale, off, refine);",
+     "A tube along a curve: SWPSCLSRF of the unit circle.",
+     "s = swpcircsrf(cbezier(list(point(0, 0, 0), point(1, 0, 1), point(3, 0, "
+     "0))), 0.1, 0);"},
+    {"TORUSSRF",
+     "torussrf = function(r1, r2): "
+     "return = swpcircsrf(circle(vector(0, 0, 0), r1), r2, 0);",
+     "A torus as a tube of radius r2 along the circle of radius r1 (an "
+     "approximation).",
+     "s = torussrf(2, 0.5);"},
     /* normals S_v x S_u point outwards */
-    {"BOXSRF", "boxsrf = function(w, d, h):a:b:c: "
-               "a = coerce(planesrf(0, 0, w, d), E3): "
-               "b = coerce(planesrf(0, 0, w, h), E3) * rotx(90): "
-               "c = coerce(planesrf(0, 0, h, d), E3) * roty(-90): "
-               "return = list(a, -a * trans(vector(0, 0, h)), "
-               "-b, b * trans(vector(0, d, 0)), "
-               "-c, c * trans(vector(w, 0, 0)));"},
-    {"ARROW3D", "arrow3d = function(pt, dir, len, w, headlen, headw):m: "
-                "m = rotz2vec(dir) * trans(coerce(pt, vector_type)): "
-                "return = list(cylinsrf(len - headlen, w) * m, "
-                "conesrf(headlen, headw) * tz(len - headlen) * m);"},
+    {"BOXSRF",
+     "boxsrf = function(w, d, h):a:b:c: "
+     "a = coerce(planesrf(0, 0, w, d), E3): "
+     "b = coerce(planesrf(0, 0, w, h), E3) * rotx(90): "
+     "c = coerce(planesrf(0, 0, h, d), E3) * roty(-90): "
+     "return = list(a, -a * trans(vector(0, 0, h)), "
+     "-b, b * trans(vector(0, d, 0)), "
+     "-c, c * trans(vector(w, 0, 0)));",
+     "The six faces of a box from the origin to (w, d, h), their normals "
+     "pointing outwards.",
+     "l = boxsrf(1, 2, 3);"},
+    {"ARROW3D",
+     "arrow3d = function(pt, dir, len, w, headlen, headw):m: "
+     "m = rotz2vec(dir) * trans(coerce(pt, vector_type)): "
+     "return = list(cylinsrf(len - headlen, w) * m, "
+     "conesrf(headlen, headw) * tz(len - headlen) * m);",
+     "An arrow from pt along dir: a cylinder and a cone, len long together.",
+     "l = arrow3d(point(0, 0, 0), vector(0, 0, 1), 2, 0.05, 0.3, 0.1);"},
     {"CURVEARROWEND",
      "curvearrowend = function(crv, end, headlen, headw):t:v: "
      "t = nth(pdomain(crv), 1): if (end != 0, t = nth(pdomain(crv), 2)): "
      "v = ctangent(crv, t, true): if (end == 0, v = -v): "
      "return = conesrf(headlen, headw) * rotz2vec(v) * "
-     "trans(coerce(ceval(crv, t), vector_type));"},
+     "trans(coerce(ceval(crv, t), vector_type));",
+     "An arrow head on the end of a curve, or on its start if end is 0.",
+     "s = curvearrowend(cbezier(list(point(0, 0, 0), point(1, 0, 1), point(3, "
+     "0, 0))), true, 0.3, 0.1);"},
     {"CREATEBBOXBOX",
      "createbboxbox = function(obj):b: b = bbox(obj): return = box("
      "vector(nth(b, 1), nth(b, 3), nth(b, 5)), nth(b, 2) - nth(b, 1), "
-     "nth(b, 4) - nth(b, 3), nth(b, 6) - nth(b, 5));"},
+     "nth(b, 4) - nth(b, 3), nth(b, 6) - nth(b, 5));",
+     "The box that bounds an object.", NULL},
+
+    {"PROCESSOBJSMAXEDGELEN",
+     "processobjsmaxedgelen = function(obj, len): "
+     "return = maxedgelen(obj, len): cpattr(return, obj);",
+     "Polygons with edges of at most a length, attributes kept.", NULL},
 
     /* expressions */
     {"UNIVARIATE2BEZIER",
      "univariate2bezier = function(str, deg):i:x:y:pts: pts = nil(): y = 0: "
      "for (i = 0, 1, deg, x = i / deg: exec(\"y = \" + str): "
      "snoc(ctlpt(E1, y), pts)): return = coerce(cinterp(pts, deg + 1, "
-     "deg + 1, param_uniform, false), bezier_type);"},
+     "deg + 1, param_uniform, false), bezier_type);",
+     "The Bezier curve of a degree that agrees with an expression in x at "
+     "equal steps of [0, 1].",
+     "c = univariate2bezier(\"x * x + 1\", 2);"},
     {"BIVARIATE2BEZIER",
      "bivariate2bezier = function(str, dx, dy):i:j:x:y:z:row_:pts: "
      "pts = nil(): z = 0: for (j = 0, 1, dy, row_ = nil(): y = j / dy: "
      "for (i = 0, 1, dx, x = i / dx: exec(\"z = \" + str): "
      "snoc(ctlpt(E3, x, y, z), row_)): snoc(row_, pts)): "
      "return = coerce(sinterp(pts, dx + 1, dy + 1, dx + 1, dy + 1, "
-     "param_uniform), bezier_type);"},
-    {NULL, NULL}};
+     "param_uniform), bezier_type);",
+     "The Bezier surface (x, y, z) of degrees dx, dy that agrees with an "
+     "expression in x and y on a grid of the unit square.",
+     "s = bivariate2bezier(\"x * y\", 2, 2);"},
+    {NULL, NULL, NULL, NULL}};
 
-const char *ix__startup_find(const char *name)
+const ix__startup_fn *ix__startup_find(const char *name)
 {
-    for (int i = 0; ix__startup_text[i][0]; i++)
-        if (strcmp(ix__startup_text[i][0], name) == 0)
-            return ix__startup_text[i][1];
+    for (const ix__startup_fn *f = ix__startup_text; f->name; f++)
+        if (ix__name_cmp(f->name, name) == 0)
+            return f;
     return NULL;
 }

@@ -9,11 +9,15 @@
 
 #include "lang/builtin.h"
 
-/* {NAME, definition}, ended by a NULL name. The definition is one statement
- * "NAME = function(...): ...;" that calls only names above it or built-ins. */
-extern const char *const ix__startup_text[][2];
+/* text is one statement "NAME = function(...): ...;" that calls only built-ins
+ * and functions of the library, and reads no variable of the script. */
+typedef struct {
+    const char *name, *text, *summary;
+    const char *example; /* NULL: what it needs is not there */
+} ix__startup_fn;
+extern const ix__startup_fn ix__startup_text[]; /* ended by a NULL name */
 
-/* The definition of a name in upper case, or NULL. */
-const char *ix__startup_find(const char *name);
+/* The function of that name, any case, or NULL. */
+const ix__startup_fn *ix__startup_find(const char *name);
 
 #endif
