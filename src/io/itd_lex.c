@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#define MAX_WARNINGS 20 /* shown of one file */
+
 /* --- characters ------------------------------------------------------- */
 
 static bool is_blank(char c)
@@ -47,12 +49,18 @@ static int utf8_length(const char *s, const char *end)
 
 /* --- messages --------------------------------------------------------- */
 
-/* Columns count characters, so continuation bytes do not. */
-static ix_place place_of(const ix__lex *l, const char *at)
+/* Columns count characters, so continuation bytes do not. Goes on from the
+ * place that was asked for before, if it can. */
+static ix_place place_of(ix__lex *l, const char *at)
 {
     ix_place pl = {1, 1};
+    const char *s = l->text;
 
-    for (const char *s = l->text; s < at; s++) {
+    if (l->counted && l->counted <= at) {
+        pl = l->place;
+        s = l->counted;
+    }
+    for (; s < at; s++) {
         if (*s == '\n') {
             pl.line++;
             pl.col = 1;
@@ -60,6 +68,8 @@ static ix_place place_of(const ix__lex *l, const char *at)
             pl.col++;
         }
     }
+    l->counted = at;
+    l->place = pl;
     return pl;
 }
 
@@ -135,15 +145,19 @@ ix_status ix__lex_unexpected(ix__lex *l, const ix__token *t, const char *wanted)
 
 void ix__lex_warn(ix__lex *l, const char *at, const char *fmt, ...)
 {
-    ix_place pl = place_of(l, at);
     char text[384];
+    ix_place pl;
     va_list ap;
 
+    if (!l->ctx->note || ++l->warnings > MAX_WARNINGS)
+        return;
+    pl = place_of(l, at);
     va_start(ap, fmt);
     (void)vsnprintf(text, sizeof text, fmt, ap);
     va_end(ap);
-    ix__note(l->ctx, "%.100s:%d:%d: warning: %s", l->fname, pl.line, pl.col,
-             text);
+    ix__note(
+        l->ctx, "%.100s:%d:%d: warning: %s%s", l->fname, pl.line, pl.col, text,
+        l->warnings == MAX_WARNINGS ? " (further warnings not shown)" : "");
 }
 
 /* --- tokens ----------------------------------------------------------- */

@@ -21,6 +21,9 @@ typedef struct {
     const char *text, *end; /* all of it */
     const char *p;          /* the next character */
     int depth;              /* of objects */
+    int warnings;           /* so far; the first few are shown */
+    const char *counted;    /* lines are counted up to here: */
+    ix_place place;
 } ix__lex;
 
 void ix__lex_init(ix__lex *l, ix_ctx *ctx, const char *fname, const char *text,
@@ -29,7 +32,7 @@ void ix__lex_init(ix__lex *l, ix_ctx *ctx, const char *fname, const char *text,
 /* IX_EPARSE with "fname:line:col: error: " and the text; at is in the text. */
 ix_status ix__lex_fail(ix__lex *l, const char *at, const char *fmt, ...)
     IX_PRINTF(3, 4);
-/* A note, "fname:line:col: warning: " and the text. */
+/* A note, "fname:line:col: warning: " and the text; the first 20 of a file. */
 void ix__lex_warn(ix__lex *l, const char *at, const char *fmt, ...)
     IX_PRINTF(3, 4);
 /* "<wanted> expected, found ..."; at the end of the text: which bracket is

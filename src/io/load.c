@@ -90,14 +90,19 @@ static void with_itd(ix_buf *b, const char *name)
     ix__buf_puts(b, ".itd");
 }
 
-/* The name that exists: as given, else with the suffix; else as given. */
-static ix_status resolve(const char *name, ix_buf *b)
+static bool is_file(const char *name)
 {
     struct stat sb;
 
+    return stat(name, &sb) == 0 && S_ISREG(sb.st_mode);
+}
+
+/* The name that is a file: as given, else with the suffix; else as given. */
+static ix_status resolve(const char *name, ix_buf *b)
+{
     with_itd(b, name);
     IX_TRY(ix__buf_check(b));
-    if (stat(name, &sb) == 0 || stat(b->data, &sb) != 0) {
+    if (is_file(name) || !is_file(b->data)) {
         ix__buf_clear(b);
         ix__buf_puts(b, name);
     }

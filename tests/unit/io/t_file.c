@@ -268,6 +268,9 @@ static void test_suffixes(void **state)
     expect_saved_as(ctx, "q.gz", "q.gz.itd");
     expect_saved_as(ctx, "q.itd.gz", "q.itd.gz");
     expect_saved_as(ctx, "q.itd.Z", "q.itd.Z");
+    assert_int_equal(mkdir(in_folder("both"), 0700), 0);
+    expect_saved_as(ctx, "both", "both.itd"); /* beside a directory */
+    assert_int_equal(rmdir(in_folder("both")), 0);
     assert_int_equal(ix__save(ctx, in_folder("q.stl"), o, NULL), IX_EARG);
     assert_non_null(strstr(ix_ctx_message(ctx), "\"stl\" are not supported"));
     assert_int_equal(ix__save(ctx, in_folder("q.igs.gz"), o, NULL), IX_EARG);

@@ -241,6 +241,38 @@ static void test_weights(void **state)
     ix_ctx_free(ctx);
 }
 
+static void count_note(void *ud, const char *text)
+{
+    ++*(int *)ud;
+    (void)text;
+}
+
+/* Many warnings: places are right, the first 20 are shown. */
+static void test_many_warnings(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    char note[512] = "";
+    int notes = 0;
+    ix_buf b;
+    ix_obj *o;
+
+    (void)state;
+    ix__buf_init(&b, ctx);
+    for (int i = 0; i < 100; i++)
+        ix__buf_puts(&b, "[CURVE BEZIER 2 P1\n[1 0]\n[-2 1]]\n");
+    ix_ctx_set_note(ctx, count_note, &notes);
+    ASSERT_OK(ctx, ix__itd_read(ctx, "t", b.data, b.len, &o));
+    assert_int_equal(notes, 20);
+    ix__obj_unref(ctx, o);
+    ix_ctx_set_note(ctx, keep_note, note);
+    ASSERT_OK(ctx, ix__itd_read(ctx, "t", b.data, b.len, &o));
+    assert_string_equal(note, "t:58:8: warning: weights change sign (-2 .. 1) "
+                              "(further warnings not shown)");
+    ix__obj_unref(ctx, o);
+    ix__buf_free(&b);
+    ix_ctx_free(ctx);
+}
+
 /* Our extensions: point types up to 18, power trivariates. */
 static void test_extensions(void **state)
 {
@@ -537,6 +569,7 @@ int main(void)
                                        cmocka_unit_test(test_strings),
                                        cmocka_unit_test(test_polygons),
                                        cmocka_unit_test(test_weights),
+                                       cmocka_unit_test(test_many_warnings),
                                        cmocka_unit_test(test_extensions),
                                        cmocka_unit_test(test_bytes),
                                        cmocka_unit_test(test_structure),
