@@ -125,7 +125,9 @@ static double tangent_weight(const cloud *c, const ix_path *p, const foot *f,
 {
     double d[3 * IX_MAX_COORDS], vv = 0, along = 0, side = 0, k2 = 0, kappa;
 
-    if (c->o->how == IX_CLOUD_POINT)
+    /* beyond an open end the distance is that of the end point */
+    if (c->o->how == IX_CLOUD_POINT || f->t == p->breaks[0] ||
+        f->t == p->breaks[p->nspans])
         return 1;
     ix__path_derivs(p, f->span, f->t, 2, d);
     for (int k = 0; k < c->nc; k++) {
@@ -233,64 +235,64 @@ static double rms(const cloud *c)
     return sqrt(s / c->n);
 }
 
-/* One round: foot points of *crv, then a better curve in its place. The best
- * curve so far stays when a round makes it worse. */
-static ix_status round_trip(ix_ctx *ctx, cloud *c, ix_mv **crv, double *err,
-                            bool *stop)
+/* How far an iteration has come. */
+typedef struct {
+    ix_mv *now, *best; /* references */
+    double err, least; /* of now, of best */
+    int worse;         /* rounds since the best one */
+} progress;
+
+/* Foot points on the present curve, and its error. */
+static ix_status assess(ix_ctx *ctx, cloud *c, progress *g, ix_path *p)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_dir dir = ix_mv_dir(*crv, 0);
-    ix_mv *next = NULL;
-    double before = *err;
-    ix_path p;
-    ix_status st = ix__path_new(ctx, *crv, &p);
-
-    if (st == IX_OK && before < 0) { /* the first time */
-        project_all(c, &p);
-        *err = before = rms(c);
+    IX_TRY(ix__path_new(ctx, g->now, p));
+    project_all(c, p);
+    g->err = rms(c);
+    g->worse++;
+    if (g->err < g->least) {
+        ix_mv_unref(ctx, g->best);
+        g->best = ix_mv_ref(g->now);
+        g->least = g->err;
+        g->worse = 0;
     }
-    if (st == IX_OK)
-        st = improve(ctx, c, &p, &dir, &next);
-    if (st == IX_OK)
-        st = ix__path_new(ctx, next, &p);
-    if (st == IX_OK) {
-        double now;
-
-        project_all(c, &p);
-        now = rms(c);
-        *stop = now <= c->o->err_limit ||
-                fabs(before - now) <= c->o->change_limit;
-        if (now <= before) {
-            ix_mv *t = *crv;
-
-            *crv = next;
-            next = t;
-            *err = now;
-        } else {
-            *stop = true;
-        }
-    }
-    ix_mv_unref(ctx, next);
-    ix__scratch_release(ctx, mk);
-    return st;
+    return IX_OK;
 }
 
-static ix_status iterate(ix_ctx *ctx, cloud *c, ix_mv **crv, double *err)
+/* One round: a curve for the present foot points, then its own foot points.
+ * Squared distances may get worse for a round or two. */
+static ix_status next_round(ix_ctx *ctx, cloud *c, progress *g, bool *stop)
+{
+    ix_dir dir = ix_mv_dir(g->now, 0);
+    double before = g->err;
+    ix_mv *next;
+    ix_path p;
+
+    IX_TRY(ix__path_new(ctx, g->now, &p));
+    IX_TRY(improve(ctx, c, &p, &dir, &next));
+    ix_mv_unref(ctx, g->now);
+    g->now = next;
+    IX_TRY(assess(ctx, c, g, &p));
+    *stop = g->err <= c->o->err_limit ||
+            fabs(before - g->err) <= c->o->change_limit || g->worse >= 4;
+    return IX_OK;
+}
+
+static ix_status iterate(ix_ctx *ctx, cloud *c, progress *g)
 {
     bool stop = false;
-    int nspans;
-    ix_dir dir = ix_mv_dir(*crv, 0);
-    ix_spans sp;
+    ix_mark mk;
+    ix_path p;
 
-    IX_TRY(ix__spans_of(ctx, &dir, &sp));
-    nspans = sp.nspans;
-    c->probes = 1 + nspans * 4 * dir.order;
+    IX_TRY(ix__path_new(ctx, g->now, &p));
+    c->probes = 1 + p.nspans * 4 * (p.degree + 1);
     IX_SCRATCH(ctx, c->probe, c->probes * (c->nc + 1));
     IX_SCRATCH(ctx, c->feet, c->n);
-    *err = -1;
+    IX_TRY(assess(ctx, c, g, &p));
+    mk = ix__scratch_mark(ctx);
     for (int i = 0; i < c->o->max_iter && !stop; i++) {
         IX_TRY(ix__poll(ctx));
-        IX_TRY(round_trip(ctx, c, crv, err, &stop));
+        IX_TRY(next_round(ctx, c, g, &stop));
+        ix__scratch_release(ctx, mk);
     }
     return IX_OK;
 }
@@ -300,9 +302,8 @@ ix_status ix_fit_cloud(ix_ctx *ctx, int n, int ncoords, const double *pts,
                        ix_mv **out)
 {
     cloud c = {.o = o, .n = n, .nc = ncoords, .pts = pts};
-    ix_mv *crv = NULL;
+    progress g = {.least = INFINITY};
     ix_mark mk;
-    double e;
     ix_status st;
 
     *out = NULL;
@@ -315,17 +316,20 @@ ix_status ix_fit_cloud(ix_ctx *ctx, int n, int ncoords, const double *pts,
     if (n < 2 || o->max_iter < 1 || !(o->lambda >= 0))
         return IX_FAIL(ctx, IX_EARG, "%d points, %d iterations, lambda %g", n,
                        o->max_iter, o->lambda);
-    IX_TRY(ix_mv_to_bspline(ctx, init, &crv));
+    IX_TRY(ix_mv_to_bspline(ctx, init, &g.now));
     mk = ix__scratch_mark(ctx);
-    st = iterate(ctx, &c, &crv, &e);
+    st = iterate(ctx, &c, &g);
     ix__scratch_release(ctx, mk);
+    ix_mv_unref(ctx, g.now);
+    if (st == IX_OK && !g.best)
+        st = IX_FAIL(ctx, IX_EARG, "points that are not finite");
     if (st != IX_OK) {
-        ix_mv_unref(ctx, crv);
+        ix_mv_unref(ctx, g.best);
         return st;
     }
     if (err)
-        *err = e;
-    *out = crv;
+        *err = g.least;
+    *out = g.best;
     return IX_OK;
 }
 
