@@ -365,8 +365,8 @@ ix_status ix_decompose(ix_ctx *ctx, const ix_mv *crv, ix_mv **f,
 /* What makes two points of two curves a good pair; T are unit tangents, d the
  * unit vector from one to the other. */
 typedef enum {
-    IX_MATCH_RULED = 1, /* mean of T1.T2 and N1.N2, N = T x d normalised: flat
-                           ruled surfaces */
+    IX_MATCH_RULED = 1, /* T1.T2 - (|N1||N2| - N1.N2) / 2, N = T x d: ruled
+                           surfaces that are nearly developable */
     IX_MATCH_MORPH,     /* T1.T2 */
     IX_MATCH_WALK,      /* 1 - distance / largest distance */
     IX_MATCH_BISECT     /* T2 and T1 mirrored at the plane between: one circle
@@ -385,7 +385,7 @@ typedef struct {
  * pairs of the largest mean value.
  *
  * Out   *out    c2(r(t)), r a non-falling spline from end to end
- *       *worth  NULL, or the mean value over the path, in [-1, 1]
+ *       *worth  NULL, or the mean value over the path, at most 1
  * Err   IX_EARG not 2 <= order <= length <= samples, norm; IX_EDOMAIN no path
  *       without negative pairs, poles
  * Num   O(samples^2); rotating, 64 times that

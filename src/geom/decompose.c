@@ -102,40 +102,127 @@ typedef struct {
     double *g, *f; /* Bernstein: [s + 1], [naxes][r + 1] */
 } problem;
 
-/* f of order r + 1 by least squares; good: it is f(g) = c. */
-static ix_status outer(ix_ctx *ctx, problem *pr, int s, int r, bool *good)
+/* One equation: axis k at a Chebyshev point, linear in f and, if slopes is
+ * given, in changes of g. */
+typedef struct {
+    int s, r, naxes;
+    double *bg, *bf, *slope; /* basis values of g, f, derivatives of f's */
+    double at;               /* g */
+    double rhs[IX_MAX_COORDS + 1];
+} equation;
+
+static void sample(const problem *pr, int i, int rows, equation *e)
 {
-    const ix_dir gd = {.basis = IX_BEZIER, .order = s + 1, .length = s + 1};
-    const ix_dir fd = {.basis = IX_BEZIER, .order = r + 1, .length = r + 1};
-    int rows = 2 * pr->n + 2, naxes = pr->p->naxes;
-    double *w, rhs[IX_MAX_COORDS + 1], sum = 0;
+    const ix_dir gd = {
+        .basis = IX_BEZIER, .order = e->s + 1, .length = e->s + 1};
+    const ix_dir fd = {
+        .basis = IX_BEZIER, .order = e->r + 1, .length = e->r + 1};
+    double t = (1 - cos(IX__PI * (i + 0.5) / rows)) / 2;
+    double a = pr->p->breaks[0], h = pr->p->breaks[1] - a;
+
+    ix__basis_derive(&gd, 0, t, 0, e->bg);
+    e->at = 0;
+    for (int k = 0; k <= e->s; k++)
+        e->at += e->bg[k] * pr->g[k];
+    ix__basis_derive(&fd, 0, e->at, 0, e->bf);
+    ix__basis_derive(&fd, 0, e->at, 1, e->slope);
+    ix__path_axes(pr->p, 0, a + t * h, 0, e->rhs);
+}
+
+/* f by least squares for the present g; *rest: root mean square left over. */
+static ix_status outer(ix_ctx *ctx, problem *pr, equation *e, double *rest)
+{
+    int rows = 2 * pr->n + 2, m = e->r + 1;
+    double sum = 0;
     ix_band band;
     ix_status st;
 
-    IX_SCRATCH(ctx, w, pr->n + 1);
-    IX_TRY(ix__band_new(ctx, r + 1, r + 1, false, naxes, &band));
-    for (int i = 0; i < rows; i++) { /* Chebyshev points */
-        double t = (1 - cos(IX__PI * (i + 0.5) / rows)) / 2, at = 0;
-        double a = pr->p->breaks[0], h = pr->p->breaks[1] - a;
-
-        ix__basis_derive(&gd, 0, t, 0, w);
-        for (int k = 0; k <= s; k++)
-            at += w[k] * pr->g[k];
-        ix__basis_derive(&fd, 0, at, 0, w);
-        ix__path_axes(pr->p, 0, a + t * h, 0, rhs);
-        ix__band_add(&band, 0, r + 1, w, rhs);
+    IX_TRY(ix__band_new(ctx, m, m, false, e->naxes, &band));
+    for (int i = 0; i < rows; i++) {
+        sample(pr, i, rows, e);
+        ix__band_add(&band, 0, m, e->bf, e->rhs);
     }
-    for (int k = 0; k < naxes; k++)
+    for (int k = 0; k < e->naxes; k++)
         sum += band.rest[k];
-    /* 1e-10 of the curve: compositions come with a few digits of rounding,
-       what is none differs far more */
-    *good = sqrt(sum / rows) <= 1e-10 * pr->size;
-    if (!*good)
-        return IX_OK;
+    *rest = sqrt(sum / rows);
     st = ix__band_solve(ctx, &band, pr->f);
     if (st == IX_EDOMAIN)
-        *good = false;
+        *rest = INFINITY;
     return st == IX_EDOMAIN ? IX_OK : st;
+}
+
+/* The two Bernstein coefficients that fix g among its affine images. */
+static void pinned(const problem *pr, int s, int pin[2])
+{
+    pin[0] = pin[1] = 0;
+    for (int k = 1; k <= s; k++) {
+        if (pr->g[k] < pr->g[pin[0]])
+            pin[0] = k;
+        if (pr->g[k] > pr->g[pin[1]])
+            pin[1] = k;
+    }
+}
+
+/* A Gauss-Newton step for f and g together; g changes. The highest
+ * coefficients of c, from which g came, may be small and noisy. */
+static ix_status improve(ix_ctx *ctx, problem *pr, equation *e)
+{
+    int rows = 2 * pr->n + 2, m = e->r + 1, nf = m * e->naxes, pin[2], k = 0;
+    int n = nf + e->s - 1;
+    double *row, *x;
+    ix_band band;
+    ix_status st;
+
+    pinned(pr, e->s, pin);
+    IX_SCRATCH(ctx, row, n);
+    IX_SCRATCH(ctx, x, n);
+    IX_TRY(ix__band_new(ctx, n, n, false, 1, &band));
+    for (int i = 0; i < rows; i++) {
+        sample(pr, i, rows, e);
+        for (int a = 0; a < e->naxes; a++) {
+            double slope = 0;
+
+            memset(row, 0, (size_t)n * sizeof *row);
+            memcpy(row + a * m, e->bf, (size_t)m * sizeof *row);
+            for (int j = 0; j < m; j++)
+                slope += e->slope[j] * pr->f[a * m + j];
+            for (int j = 0, q = nf; j <= e->s; j++)
+                if (j != pin[0] && j != pin[1])
+                    row[q++] = slope * e->bg[j];
+            ix__band_add(&band, 0, n, row, &e->rhs[a]);
+        }
+    }
+    st = ix__band_solve(ctx, &band, x);
+    for (int j = 0; st == IX_OK && j <= e->s; j++)
+        if (j != pin[0] && j != pin[1])
+            pr->g[j] += x[nf + k++];
+    return st == IX_EDOMAIN ? IX_OK : st;
+}
+
+/* f and a better g; good: it is f(g) = c. */
+static ix_status fit(ix_ctx *ctx, problem *pr, int s, bool *good)
+{
+    equation e = {.s = s, .r = pr->n / s, .naxes = pr->p->naxes};
+    double rest;
+
+    IX_SCRATCH(ctx, e.bg, pr->n + 1);
+    IX_SCRATCH(ctx, e.bf, pr->n + 1);
+    IX_SCRATCH(ctx, e.slope, pr->n + 1);
+    normalise(s, pr->g);
+    IX_TRY(outer(ctx, pr, &e, &rest));
+    /* a start that is worse than 1e-3 has little to do with c */
+    for (int i = 0; i < 6 && rest <= 1e-3 * pr->size; i++) {
+        /* 1e-13: no better in double precision */
+        if (rest <= 1e-13 * pr->size)
+            break;
+        IX_TRY(improve(ctx, pr, &e));
+        normalise(s, pr->g);
+        IX_TRY(outer(ctx, pr, &e, &rest));
+    }
+    /* 1e-10 of the curve: compositions come with a few digits of rounding,
+       what is none differs far more */
+    *good = rest <= 1e-10 * pr->size;
+    return IX_OK;
 }
 
 /* Powers of all axes, and the degree that is really there. */
@@ -214,8 +301,7 @@ static ix_status decompose(ix_ctx *ctx, const ix_mv *crv, ix_mv **f, ix_mv **g)
             continue;
         inner(pr.n, pr.pow + pr.lead * (p.degree + 1), s, gx);
         to_bernstein(s, gx, power, pr.g);
-        normalise(s, pr.g);
-        IX_TRY(outer(ctx, &pr, s, pr.n / s, &good));
+        IX_TRY(fit(ctx, &pr, s, &good));
         if (good)
             return emit(ctx, &pr, crv, s, f, g);
     }

@@ -48,38 +48,35 @@ static ix_status take_samples(ix_ctx *ctx, const ix_mv *crv, int n,
     return IX_OK;
 }
 
-/* Ruled: the normals at both ends of a ruling, which agree where the ruled
- * surface is developable, and the tangents. */
+/* Ruled: the tangents agree, and so do the normals N = T x d at both ends of
+ * the ruling, as they do where the ruled surface is developable. A ruling along
+ * the tangents says nothing: there the N vanish. */
 static double ruled(const sample *a, const sample *b, const double d[3])
 {
-    double m[3], n[3], lm, ln;
+    double m[3], n[3];
 
     ix__cross3(a->t, d, m);
     ix__cross3(b->t, d, n);
-    lm = ix__unit3(m, m);
-    ln = ix__unit3(n, n);
-    if (!(lm > 1e-9 && ln > 1e-9)) /* along the ruling: no normal */
-        return ix__dot3(a->t, b->t);
-    return (ix__dot3(m, n) + ix__dot3(a->t, b->t)) / 2;
+    return ix__dot3(a->t, b->t) -
+           (ix__len3(m) * ix__len3(n) - ix__dot3(m, n)) / 2;
 }
 
-/* What pair (i, j) is worth, in [-1, 1]. */
+/* What pair (i, j) is worth: 1 is the best, below 0 is bad. */
 static double value(const pairs *q, int i, int j)
 {
     const sample *a = &q->a[i];
     const sample *b = &q->b[(j + q->shift) % (q->n - (q->shift ? 1 : 0))];
-    double d[3], len, dir;
+    double d[3], len;
 
     ix__sub3(b->p, a->p, d);
-    len = ix__unit3(d, d);
+    len = ix__unit3(d, d); /* 0: d stays 0 */
     switch (q->o->norm) {
     case IX_MATCH_RULED:
-        return len > 0 ? ruled(a, b, d) : ix__dot3(a->t, b->t);
+        return ruled(a, b, d);
     case IX_MATCH_WALK:
         return q->farthest > 0 ? 1 - len / q->farthest : 1;
     case IX_MATCH_BISECT: /* a's tangent mirrored at the bisecting plane */
-        dir = len > 0 ? ix__dot3(a->t, d) * ix__dot3(b->t, d) : 0;
-        return ix__dot3(a->t, b->t) - 2 * dir;
+        return ix__dot3(a->t, b->t) - 2 * ix__dot3(a->t, d) * ix__dot3(b->t, d);
     case IX_MATCH_MORPH:
         break;
     }
