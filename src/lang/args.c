@@ -47,7 +47,7 @@ ix_status ix__arg_dir(ix_call *c, int i, int ndirs, int *dir)
         *dir = (int)v;
         return IX_OK;
     }
-    if (ndirs == 2)
+    if (ndirs == 2 && c->argv[0]->type != IX_OBJ_MULTIVAR)
         return IX_ARG_FAIL(c, i, "the direction must be COL or ROW, got %.15g",
                            ix__arg_num(c, i));
     return IX_ARG_FAIL(c, i,

@@ -253,21 +253,27 @@ static ix_status grow(ix_ctx *ctx, piece *p, int n, int i, double eps,
     return IX_OK;
 }
 
-/* Vertices of the chain, the common ones once. */
+/* Vertices that a piece adds to its chain: the first one of a polyline is the
+ * last one of the piece before, single points are all kept. */
+static int skipped(const piece *p, int i, int first)
+{
+    return i != first && p[i].pg->n > 1;
+}
+
 static ix_status write_chain(ix_ctx *ctx, const piece *p, int first,
                              ix_polygon *out)
 {
-    size_t total = 1;
+    size_t total = 0;
     int at = 0;
 
     for (int i = first; i >= 0; i = p[i].next)
-        total += (size_t)p[i].pg->n - 1;
+        total += (size_t)(p[i].pg->n - skipped(p, i, first));
     if (total > INT_MAX)
         return IX_FAIL(ctx, IX_EARG, "%zu vertices are too many", total);
     IX_TRY(ix__poly_vertices(ctx, out, (int)total));
     out->kind = IX_POLYLINE;
     for (int i = first; i >= 0; i = p[i].next)
-        for (int k = i == first ? 0 : 1; k < p[i].pg->n; k++)
+        for (int k = skipped(p, i, first); k < p[i].pg->n; k++)
             memcpy(out->v[at++].p,
                    p[i].pg->v[p[i].reversed ? p[i].pg->n - 1 - k : k].p,
                    sizeof out->v[0].p);

@@ -186,6 +186,24 @@ ix_status ix__prim_edit(ix_call *c)
     return ix__ret_mv(c, 0, out);
 }
 
+/* Multivariates do not extrapolate, unlike curves and surfaces (spec/model
+ * 6): the parameters must be inside up to 1e-5 of the domain's length. */
+static ix_status check_inside(ix_call *c, const ix_mv *m, const double *t)
+{
+    for (int d = 0; d < m->ndirs; d++) {
+        double dom[2], slack;
+
+        ix_mv_domain(m, d, dom);
+        slack = 1e-5 * (dom[1] - dom[0]);
+        if (!(t[d] >= dom[0] - slack && t[d] <= dom[1] + slack))
+            return IX_ARG_FAIL(c, 1,
+                               "parameter %g of direction %d is outside the "
+                               "domain [%g, %g]",
+                               t[d], d, dom[0], dom[1]);
+    }
+    return IX_OK;
+}
+
 ix_status ix__prim_eval(ix_call *c)
 {
     const ix_obj *o = c->argv[0];
@@ -202,6 +220,8 @@ ix_status ix__prim_eval(ix_call *c)
     if (n != m->ndirs)
         return IX_ARG_FAIL(c, 1, "%d parameters for %d directions", n,
                            m->ndirs);
+    if (o->type == IX_OBJ_MULTIVAR)
+        IX_TRY(check_inside(c, m, list));
     IX_TRY(ix_mv_eval(c->ctx, m, list, v));
     return ix__ret_ctlpt(c, m->ncoords, m->rational, v);
 }
