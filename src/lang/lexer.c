@@ -54,10 +54,11 @@ static void cut_short(lexer *lx)
         (void)fail(lx, here(lx), text);
         return;
     }
-    (void)snprintf(text, sizeof text,
-                   "the rest of the line is ignored: byte 0x%02X is no printable "
-                   "character",
-                   (unsigned)c);
+    (void)snprintf(
+        text, sizeof text,
+        "the rest of the line is ignored: byte 0x%02X is no printable "
+        "character",
+        (unsigned)c);
     ix__complain(lx->rd->in, lx->u, here(lx), false, text);
 }
 
@@ -270,11 +271,12 @@ static ix_status lex(lexer *lx, ix__token *t)
     int c;
 
     for (;;) {
+        *t = (ix__token){.kind = T_END, .pos = here(lx)};
         c = skip_blanks(lx);
         IX_TRY(lx->st);
-        *t = (ix__token){.kind = T_END, .pos = here(lx)};
         if (!c)
-            return IX_OK;
+            return IX_OK; /* the end is where the last token ended */
+        t->pos = here(lx);
         if (!isalpha(c) && c != '"' && !isdigit(c) && c != '.')
             return read_symbol(lx, c, t);
         IX_TRY(read_text(lx, c, t));

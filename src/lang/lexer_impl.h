@@ -20,6 +20,7 @@
 typedef struct {
     const char *name; /* kept by the interpreter */
     const char *text; /* NULL: standard input */
+    bool at_end;      /* of standard input */
     size_t n, pos;
     ix_buf data; /* the text, if the source owns it */
     int line;

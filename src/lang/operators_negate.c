@@ -13,6 +13,7 @@
 static ix_status reverse_mvs(ix_ctx *ctx, const ix_mvs *a, const ix_mvs **out)
 {
     ix_mv **rev;
+    const ix_mvs *all;
     int n = 0;
     ix_status st = IX_OK;
 
@@ -22,8 +23,9 @@ static ix_status reverse_mvs(ix_ctx *ctx, const ix_mvs *a, const ix_mvs **out)
         n += st == IX_OK;
     }
     if (st == IX_OK) {
-        *out = ix__mvs_new(ctx, n, (const ix_mv *const *)rev);
-        st = *out ? IX_OK : IX_ENOMEM;
+        all = ix__mvs_new(ctx, n, (const ix_mv *const *)rev);
+        st = all ? IX_OK : IX_ENOMEM;
+        *out = all ? all : *out;
     }
     while (n > 0)
         ix_mv_unref(ctx, rev[--n]);

@@ -75,14 +75,12 @@ static void add_char(ix__reader *rd, int c)
         ix__buf_putc(&rd->line, (char)c);
 }
 
-/* One line of a text; false at its end. */
+/* One line of a text that has one. */
 static bool text_line(ix__reader *rd, ix__source *s)
 {
     const char *start = s->text + s->pos, *end;
     size_t n;
 
-    if (s->pos >= s->n)
-        return false;
     end = memchr(start, '\n', s->n - s->pos);
     n = end ? (size_t)(end - start) : s->n - s->pos;
     s->pos += n + (end != NULL);
@@ -92,7 +90,7 @@ static bool text_line(ix__reader *rd, ix__source *s)
 }
 
 /* One line of standard input; false at its end. */
-static bool stdin_line(ix__reader *rd)
+static bool stdin_line(ix__reader *rd, ix__source *s)
 {
     bool any = false;
     int c;
@@ -102,6 +100,7 @@ static bool stdin_line(ix__reader *rd)
         any = true;
         add_char(rd, c);
     }
+    s->at_end = c == EOF;
     return any || c == '\n';
 }
 
@@ -119,22 +118,37 @@ static ix_status present_line(ix__reader *rd, const ix__source *s)
     return IX_OK;
 }
 
-ix_status ix__reader_line(ix__reader *rd, bool *more)
+/* Leaves sources that are read to their end. The present line stays: an error
+ * at the end of all input is where it ends. */
+static void leave_finished(ix__reader *rd)
 {
-    ix__buf_clear(&rd->line);
-    rd->pos = 0;
-    rd->cut = -1;
-    *more = false;
     while (rd->n) {
         ix__source *s = &rd->src[rd->n - 1];
 
-        s->line++;
-        *more = s->text ? text_line(rd, s) : stdin_line(rd);
-        IX_TRY(ix__poll(rd->in->ctx));
-        if (*more)
-            return present_line(rd, s);
+        if (s->text ? s->pos < s->n : !s->at_end)
+            return;
         ix__buf_free(&s->data);
         rd->n--;
+    }
+}
+
+ix_status ix__reader_line(ix__reader *rd, bool *more)
+{
+    *more = false;
+    leave_finished(rd);
+    while (rd->n && !*more) {
+        ix__source *s = &rd->src[rd->n - 1];
+
+        ix__buf_clear(&rd->line);
+        rd->pos = 0;
+        rd->cut = -1;
+        s->line++;
+        *more = s->text ? text_line(rd, s) : stdin_line(rd, s);
+        IX_TRY(ix__poll(rd->in->ctx));
+        if (*more)
+            IX_TRY(present_line(rd, s));
+        else
+            leave_finished(rd);
     }
     return IX_OK;
 }
