@@ -11,23 +11,12 @@
 /* Sine of the angle below which unit directions are parallel. */
 static const double PARALLEL = 1e-14;
 
-static ix_status unit(ix_ctx *ctx, const char *what, const double v[3],
-                      double out[3])
-{
-    double len = ix__unit3(v, out);
-
-    if (!(len > 0) || !isfinite(len))
-        return IX_FAIL(ctx, IX_EARG, "%s (%g, %g, %g) has no direction", what,
-                       v[0], v[1], v[2]);
-    return IX_OK;
-}
-
 ix_status ix__line_foot(ix_ctx *ctx, const double p[3], const double at[3],
                         const double dir[3], double out[3])
 {
     double u[3], d[3];
 
-    IX_TRY(unit(ctx, "line direction", dir, u));
+    IX_TRY(ix__direction(ctx, "line direction", dir, u));
     ix__sub3(p, at, d);
     ix__axpy3(at, ix__dot3(d, u), u, out);
     return IX_OK;
@@ -38,7 +27,7 @@ ix_status ix__line_dist(ix_ctx *ctx, const double p[3], const double at[3],
 {
     double u[3], d[3], c[3];
 
-    IX_TRY(unit(ctx, "line direction", dir, u));
+    IX_TRY(ix__direction(ctx, "line direction", dir, u));
     ix__sub3(p, at, d);
     ix__cross3(d, u, c);
     *out = ix__len3(c);
@@ -50,7 +39,7 @@ ix_status ix__plane_dist(ix_ctx *ctx, const double p[3], const double plane[4],
 {
     double n[3];
 
-    IX_TRY(unit(ctx, "plane normal", plane, n));
+    IX_TRY(ix__direction(ctx, "plane normal", plane, n));
     *out = fabs(ix__dot3(n, p) + plane[3] / ix__len3(plane));
     return IX_OK;
 }
@@ -60,8 +49,8 @@ ix_status ix__line_plane(ix_ctx *ctx, const double at[3], const double dir[3],
 {
     double n[3], u[3], h, c;
 
-    IX_TRY(unit(ctx, "plane normal", plane, n));
-    IX_TRY(unit(ctx, "line direction", dir, u));
+    IX_TRY(ix__direction(ctx, "plane normal", plane, n));
+    IX_TRY(ix__direction(ctx, "line direction", dir, u));
     h = ix__dot3(n, at) + plane[3] / ix__len3(plane);
     c = ix__dot3(n, u);
     if (!(fabs(c) >= PARALLEL))
@@ -78,8 +67,8 @@ ix_status ix__lines_near(ix_ctx *ctx, const double a[3], const double da[3],
 {
     double u[3], v[3], n[3], d[3], x[3], y[3], s, ta;
 
-    IX_TRY(unit(ctx, "line direction", da, u));
-    IX_TRY(unit(ctx, "line direction", db, v));
+    IX_TRY(ix__direction(ctx, "line direction", da, u));
+    IX_TRY(ix__direction(ctx, "line direction", db, v));
     ix__cross3(u, v, n);
     ix__sub3(b, a, d);
     s = ix__dot3(n, n);
@@ -183,7 +172,7 @@ static void line_circles(const ix__circle3 *a, const ix__circle3 *b,
 
 static ix_status check_circle(ix_ctx *ctx, const ix__circle3 *c, double n[3])
 {
-    IX_TRY(unit(ctx, "circle normal", c->normal, n));
+    IX_TRY(ix__direction(ctx, "circle normal", c->normal, n));
     if (!(c->radius > 0) || !isfinite(c->radius))
         return IX_FAIL(ctx, IX_EARG, "radius %g is not positive", c->radius);
     return IX_OK;

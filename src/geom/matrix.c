@@ -65,28 +65,19 @@ void ix__mat_mul(const double a[16], const double b[16], double out[16])
     memcpy(out, t, sizeof t);
 }
 
-/* Row and column factors, powers of two, that bring the largest entry of each
- * row and then of each column to [1, 2); zero rows and columns keep 1. */
-static void equilibrate(double a[4][4], double r[4], double c[4])
+/* Multiplies four entries, step apart, by the power of two that brings the
+ * largest to [1, 2), and returns it; zeros keep 1. */
+static double level(double *a, int step)
 {
-    for (int i = 0; i < 4; i++) {
-        double big = 0;
+    double big = 0, f = 1;
 
-        for (int j = 0; j < 4; j++)
-            big = fmax(big, fabs(a[i][j]));
-        r[i] = big > 0 && isfinite(big) ? ldexp(1.0, -ilogb(big)) : 1.0;
-        for (int j = 0; j < 4; j++)
-            a[i][j] *= r[i];
-    }
-    for (int j = 0; j < 4; j++) {
-        double big = 0;
-
-        for (int i = 0; i < 4; i++)
-            big = fmax(big, fabs(a[i][j]));
-        c[j] = big > 0 && isfinite(big) ? ldexp(1.0, -ilogb(big)) : 1.0;
-        for (int i = 0; i < 4; i++)
-            a[i][j] *= c[j];
-    }
+    for (int i = 0; i < 4; i++)
+        big = fmax(big, fabs(a[i * step]));
+    if (big > 0 && isfinite(big))
+        f = ldexp(1.0, -ilogb(big));
+    for (int i = 0; i < 4; i++)
+        a[i * step] *= f;
+    return f;
 }
 
 /* Brings the largest entry of a[k..][k..] to (k, k), b following the rows;
@@ -149,9 +140,12 @@ bool ix__mat_inverse(const double m[16], double out[16])
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             b[i][j] = i == j;
-    equilibrate(a, r, c);
+    for (int i = 0; i < 4; i++)
+        r[i] = level(a[i], 1);
+    for (int j = 0; j < 4; j++)
+        c[j] = level(&a[0][j], 4);
     for (int k = 0; k < 4; k++) {
-        /* Equilibrated entries are below 2: smaller is rounding. */
+        /* Levelled entries are below 2: smaller is rounding. */
         if (!(fabs(pivot(a, b, perm, k)) >= 16 * DBL_EPSILON))
             return false;
         eliminate(a, b, k);
@@ -192,17 +186,6 @@ bool ix__mat_point(const double p[3], const double m[16], double out[3])
     return true;
 }
 
-static ix_status unit(ix_ctx *ctx, const char *what, const double v[3],
-                      double out[3])
-{
-    double len = ix__unit3(v, out);
-
-    if (!(len > 0) || !isfinite(len))
-        return IX_FAIL(ctx, IX_EARG, "%s (%g, %g, %g) has no direction", what,
-                       v[0], v[1], v[2]);
-    return IX_OK;
-}
-
 /* Rodrigues: about the unit vector u by the angle of cosine c, sine s. */
 static void rodrigues(const double u[3], double s, double c, double m[16])
 {
@@ -224,7 +207,7 @@ ix_status ix__mat_rotate_about(ix_ctx *ctx, const double axis[3], double deg,
 {
     double u[3], s, c;
 
-    IX_TRY(unit(ctx, "axis", axis, u));
+    IX_TRY(ix__direction(ctx, "axis", axis, u));
     ix__sincos_deg(deg, &s, &c);
     rodrigues(u, s, c, m);
     return IX_OK;
@@ -235,8 +218,8 @@ ix_status ix__mat_turn(ix_ctx *ctx, const double a[3], const double b[3],
 {
     double u[3], v[3], axis[3], s, c;
 
-    IX_TRY(unit(ctx, "vector", a, u));
-    IX_TRY(unit(ctx, "vector", b, v));
+    IX_TRY(ix__direction(ctx, "vector", a, u));
+    IX_TRY(ix__direction(ctx, "vector", b, v));
     ix__cross3(u, v, axis);
     s = ix__len3(axis);
     c = ix__dot3(u, v);
@@ -268,8 +251,8 @@ static ix_status frame(ix_ctx *ctx, const double a[3], const double b[3],
 {
     double v[3];
 
-    IX_TRY(unit(ctx, "direction", a, z));
-    IX_TRY(unit(ctx, "second direction", b, v));
+    IX_TRY(ix__direction(ctx, "direction", a, z));
+    IX_TRY(ix__direction(ctx, "second direction", b, v));
     ix__cross3(z, v, y);
     if (!(ix__len3(y) >= 4 * DBL_EPSILON)) /* rounding of the products */
         return IX_FAIL(ctx, IX_EARG,
@@ -315,7 +298,7 @@ ix_status ix__mat_reflect(ix_ctx *ctx, const double plane[4], double m[16])
 {
     double n[4];
 
-    IX_TRY(unit(ctx, "plane normal", plane, n));
+    IX_TRY(ix__direction(ctx, "plane normal", plane, n));
     n[3] = plane[3] / ix__len3(plane);
     ix__mat_identity(m);
     for (int i = 0; i < 4; i++)

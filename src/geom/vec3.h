@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "base/ctx.h"
+
 static inline double ix__dot3(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -75,5 +77,10 @@ static inline void ix__perp3(const double u[3], double out[3])
     ix__cross3(u, e, out);
     ix__unit3(out, out);
 }
+
+/* out = the unit vector along v. Err IX_EARG v is zero or not finite: "WHAT
+ * (x, y, z) has no direction". */
+ix_status ix__direction(ix_ctx *ctx, const char *what, const double v[3],
+                        double out[3]) IX_MUST_CHECK;
 
 #endif

@@ -273,38 +273,24 @@ static ix_status b_coord(ix_call *c)
 /* How many things of one kind the object holds. */
 static int parts_of(const ix_obj *o)
 {
-    if (ix__obj_is_freeform(o) && o->type != IX_OBJ_TRIMSRF &&
-        o->type != IX_OBJ_TRISRF && o->type != IX_OBJ_MODEL)
-        return o->u.mvs->n;
-    switch (o->type) {
-    case IX_OBJ_POLY:
-        return o->u.poly->n;
-    case IX_OBJ_TRIMSRF:
-        return o->u.trim.n;
-    case IX_OBJ_TRISRF:
-        return o->u.tri.n;
-    case IX_OBJ_MODEL:
-        return o->u.model.n;
-    default:
-        return 1;
-    }
+    int n = o->type == IX_OBJ_POLY ? o->u.poly->n : ix__seq_count(o);
+
+    return n > 0 || o->type == IX_OBJ_POLY ? n : 1;
 }
 
 /* Part i on its own. */
 static ix_status part(ix_ctx *ctx, const ix_obj *o, int i, ix_obj **out)
 {
+    const void *item;
+
     if (o->type == IX_OBJ_POLY)
         return poly_part(ctx, o->u.poly, i, out);
-    if (o->type == IX_OBJ_TRIMSRF)
-        *out = ix__obj_trimsrfs(ctx, 1, &o->u.trim.item[i]);
-    else if (o->type == IX_OBJ_TRISRF)
-        *out = ix__obj_trisrfs(ctx, 1, &o->u.tri.item[i]);
-    else if (o->type == IX_OBJ_MODEL)
-        *out = ix__obj_models(ctx, 1, &o->u.model.item[i]);
-    else if (ix__obj_is_freeform(o))
-        *out = ix__obj_mv(ctx, o->type, ix_mv_ref(o->u.mvs->mv[i]));
-    else
+    if (ix__seq_count(o) > 0) {
+        item = ix__seq_item(o, i);
+        *out = ix__seq_new(ctx, o->type, 1, &item);
+    } else {
         *out = ix__obj_copy(ctx, o);
+    }
     return *out ? IX_OK : IX_ENOMEM;
 }
 

@@ -242,7 +242,8 @@ ix_status ix__stack_push(ix_interp *in, size_t n)
             return IX_ENOMEM;
         in->stack = more;
     }
-    memset(in->stack + in->top, 0, n * sizeof *in->stack);
+    if (n > 0) /* else there may be no stack yet */
+        memset(in->stack + in->top, 0, n * sizeof *in->stack);
     in->top += n;
     return IX_OK;
 }
