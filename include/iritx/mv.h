@@ -204,8 +204,13 @@ typedef enum {
     IX_JOIN_BRIDGE, /* a straight bridge between the ends */
     IX_JOIN_JUMP    /* both layers kept, discontinuous knot */
 } ix_join;
-/* a, then b shifted to continue a's domain; made compatible otherwise.
- * spec model.md 12 gives the knots of the bridge. */
+/* a, then b shifted to continue a's domain; made compatible otherwise. A
+ * shared layer is a's; b's homogeneous points are first multiplied by one
+ * factor that gives its first point the weight of the end of a. The bridge is
+ * a straight segment of order points whose knot span is (D1 + D2) gap /
+ * (A1 + A2), D the domains' lengths, A those of the control polygons, lengths
+ * below 1e-2 taken as 1e-2 (spec/model 12; means over the rows of surfaces).
+ * Order 1 joins with a jump whatever is asked for. */
 ix_status ix_mv_merge(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, int dir,
                       ix_join how, ix_mv **out) IX_MUST_CHECK;
 

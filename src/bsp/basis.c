@@ -2,8 +2,9 @@
  *
  * The triangle of de Boor and Cox, transposed, with one argument a level
  * (Cohen, Lyche, Riesenfeld 1980, the Oslo algorithm): every level is a
- * convex combination when the arguments are in order. Each factor is divided
- * out by itself, so that at a knot it is exactly 0 or 1. */
+ * convex combination when the arguments are in order. The weights
+ * add up to 1 up to rounding; sums take differences from one point, so that
+ * constants and end points are exact all the same. */
 #include "bsp/basis.h"
 
 /* Argument of level r is args[(r - 1) * step]. */
@@ -16,10 +17,10 @@ static inline void spline_triangle(const double *knots, int mu, int d,
         double x = args[(r - 1) * step], saved = 0;
 
         for (int q = 0; q < r; q++) {
-            double gap = hi[q] - lo[q], v = w[q];
+            double v = w[q] / (hi[q] - lo[q]);
 
-            w[q] = saved + (hi[q] - x) / gap * v;
-            saved = (x - lo[q]) / gap * v;
+            w[q] = saved + (hi[q] - x) * v;
+            saved = (x - lo[q]) * v;
         }
         w[r] = saved;
     }

@@ -6,6 +6,7 @@
 
 #include "base/threads.h"
 #include "bsp/basis.h"
+#include "bsp/weigh.h"
 
 ix_status ix__rows_alloc(ix_ctx *ctx, int nrows, int width, ix_rows *out)
 {
@@ -145,47 +146,38 @@ typedef struct {
     double *out;
 } job;
 
-/* Row i of the points p: p[heavy] + sum of w[q] (p[q] - p[heavy]). */
-static double combine(const job *jb, size_t i, const double *p)
+/* Row i where its points run over the end: one after another. */
+static void combine_wrapped(const job *jb, size_t i, const double *in,
+                            double *out)
 {
     const ix_rows *b = jb->b;
     const double *w = b->w + i * (size_t)b->width;
     int first = b->first[i];
-    double ref = b->affine ? p[(first + b->heavy[i]) % jb->n] : 0, sum = 0;
+    size_t inner = jb->inner, ref = (size_t)((first + b->heavy[i]) % jb->n);
 
-    if (first + b->width <= jb->n) {
+    for (size_t l = 0; l < inner; l++) {
+        double r = b->affine ? in[ref * inner + l] : 0, sum = 0;
+
         for (int q = 0; q < b->width; q++)
-            sum += w[q] * (p[first + q] - ref);
-        return ref + sum;
+            sum += w[q] * (in[(size_t)((first + q) % jb->n) * inner + l] - r);
+        out[l] = r + sum;
     }
-    for (int q = 0; q < b->width; q++)
-        sum += w[q] * (p[(first + q) % jb->n] - ref);
-    return ref + sum;
 }
 
-/* The same for inner > 1 neighbouring sums. */
-static void combine_rows(const job *jb, size_t i, const double *in, double *out)
+/* Row i as p[heavy] + sum of w[q] (p[q] - p[heavy]), so that a constant stays
+ * exactly what it is. */
+static void combine(const job *jb, size_t i, const double *in, double *out)
 {
     const ix_rows *b = jb->b;
-    const double *w = b->w + i * (size_t)b->width, *ref = NULL;
-    size_t inner = jb->inner;
-    int keep = -1;
+    const double *w = b->w + i * (size_t)b->width, *p;
 
-    memset(out, 0, inner * sizeof *out);
-    if (b->affine) {
-        keep = b->heavy[i];
-        ref = in + (size_t)((b->first[i] + keep) % jb->n) * inner;
+    if (b->first[i] + b->width > jb->n) {
+        combine_wrapped(jb, i, in, out);
+        return;
     }
-    for (int q = 0; q < b->width; q++) {
-        const double *p = in + (size_t)((b->first[i] + q) % jb->n) * inner;
-
-        if (w[q] == 0 || q == keep)
-            continue;
-        for (size_t l = 0; l < inner; l++)
-            out[l] += w[q] * (ref ? p[l] - ref[l] : p[l]);
-    }
-    for (size_t l = 0; ref && l < inner; l++)
-        out[l] += ref[l];
+    p = in + (size_t)b->first[i] * jb->inner;
+    ix__weigh(jb->inner, b->width, w, p,
+              b->affine ? p + (size_t)b->heavy[i] * jb->inner : NULL, out);
 }
 
 static void apply_items(void *arg, size_t begin, size_t end)
@@ -193,15 +185,9 @@ static void apply_items(void *arg, size_t begin, size_t end)
     const job *jb = arg;
     size_t rows = (size_t)jb->b->nrows;
 
-    for (size_t k = begin; k < end; k++) {
-        const double *in = jb->in + k / rows * (size_t)jb->n * jb->inner;
-        double *out = jb->out + k * jb->inner;
-
-        if (jb->inner == 1)
-            *out = combine(jb, k % rows, in);
-        else
-            combine_rows(jb, k % rows, in, out);
-    }
+    for (size_t k = begin; k < end; k++)
+        combine(jb, k % rows, jb->in + k / rows * (size_t)jb->n * jb->inner,
+                jb->out + k * jb->inner);
 }
 
 void ix__rows_apply(ix_ctx *ctx, const ix_rows *b, int n, size_t outer,

@@ -36,17 +36,21 @@ ix_status ix__spans_of(ix_ctx *ctx, const ix_dir *dir, ix_spans *out)
 ix_status ix__spans_union(ix_ctx *ctx, const ix_spans *a, const ix_spans *b,
                           int degree, ix_spans *out)
 {
-    int i = 1, j = 1, n = 0;
-    double *breaks, tol;
+    int i = 1, j = 1, n = 0, nb = b->nspans;
+    double lo = a->breaks[0], hi = a->breaks[a->nspans];
+    double tol = ix__knots_ulp4(a->nspans + 1, a->breaks), *breaks;
     int *cont;
 
-    tol = ix__knots_ulp4(a->nspans + 1, a->breaks);
+    while (j < nb && b->breaks[j] <= lo + tol) /* ends may differ by an ulp */
+        j++;
+    while (nb > j && b->breaks[nb - 1] >= hi - tol)
+        nb--;
     IX_SCRATCH(ctx, breaks, (size_t)a->nspans + (size_t)b->nspans);
     IX_SCRATCH(ctx, cont, (size_t)a->nspans + (size_t)b->nspans);
-    breaks[0] = a->breaks[0];
-    while (i < a->nspans || j < b->nspans) {
+    breaks[0] = lo;
+    while (i < a->nspans || j < nb) {
         double x = i < a->nspans ? a->breaks[i] : HUGE_VAL;
-        double y = j < b->nspans ? b->breaks[j] : HUGE_VAL;
+        double y = j < nb ? b->breaks[j] : HUGE_VAL;
         int ca = INT_MAX, cb = INT_MAX;
 
         if (x <= y + tol)
@@ -56,7 +60,7 @@ ix_status ix__spans_union(ix_ctx *ctx, const ix_spans *a, const ix_spans *b,
         cont[n] = ca < cb ? ca : cb;
         breaks[++n] = ca < INT_MAX ? x : y;
     }
-    breaks[++n] = a->breaks[a->nspans];
+    breaks[++n] = hi;
     *out = (ix_spans){degree, n, breaks, cont};
     return IX_OK;
 }

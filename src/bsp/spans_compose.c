@@ -5,10 +5,12 @@
  * of the chosen span only select coefficients; each other argument u costs one
  * de Casteljau step and multiplies errors by up to (|u-a| + |u-b|) / (b-a). */
 #include <math.h>
+#include <string.h>
 
 #include "base/threads.h"
 #include "bsp/knots.h"
 #include "bsp/spans.h"
+#include "bsp/weigh.h"
 
 typedef struct {
     const ix_spans *sp;
@@ -55,15 +57,15 @@ static double amplification(const job *jb, int i, int j, const int range[2],
 }
 
 /* The span whose blossom gives coefficient i best. */
-static int choose_span(const job *jb, int i)
+static int choose_span(const job *jb, int i, const int range[2])
 {
-    int d = jb->sp->degree, best;
-    int range[2] = {jb->at[i + (d > 0)], jb->at[i + d]};
+    int d = jb->sp->degree, best = range[0];
     double least = HUGE_VAL;
 
     if (range[0] == range[1]) /* all at one break: a coefficient itself */
         return d > 0 && jb->at[i] < range[0] ? range[0] - 1 : range[0];
-    best = range[0];
+    if (range[1] == range[0] + 1)
+        return range[0];
     for (int j = range[0]; j < range[1] && least > 1; j++) {
         double cost = amplification(jb, i, j, range, least);
 
@@ -75,58 +77,56 @@ static int choose_span(const job *jb, int i)
     return best;
 }
 
-/* Weights of the coefficients of span j, from *first on, in coefficient i;
- * returns their number less one. */
-static int blossom(const job *jb, int i, int j, int *first, double *w)
+/* Weights, in the blossom value at the arguments of coefficient i, of the
+ * coefficients of span j that follow the first count_at(j + 1); returns their
+ * number less one. */
+static int blossom(const job *jb, int i, int j, const int range[2], double *w)
 {
     const double *br = jb->sp->breaks;
-    int d = jb->sp->degree, e = 0;
     double gap = br[j + 1] - br[j];
+    int e = 0;
 
-    *first = count_at(jb, i, j + 1);
     w[0] = 1;
-    for (int k = i + 1; k <= i + d; k++) {
-        int at = jb->at[k];
-        double s, r;
+    for (int k = range[0]; k <= range[1]; k++) {
+        double s = (br[k] - br[j]) / gap, r = (br[j + 1] - br[k]) / gap;
 
-        if (at == j || at == j + 1)
+        if (k == j || k == j + 1)
             continue;
-        s = (br[at] - br[j]) / gap;
-        r = (br[j + 1] - br[at]) / gap;
-        w[e + 1] = s * w[e];
-        for (int q = e; q > 0; q--)
-            w[q] = r * w[q] + s * w[q - 1];
-        w[0] *= r;
-        e++;
+        for (int m = count_at(jb, i, k); m > 0; m--) {
+            w[e + 1] = s * w[e];
+            for (int q = e; q > 0; q--)
+                w[q] = r * w[q] + s * w[q - 1];
+            w[0] *= r;
+            e++;
+        }
     }
     return e;
-}
-
-/* out[inner] = sum of w[q] in[q][inner]. */
-static void combine(const double *w, int e, const double *in, size_t inner,
-                    double *out)
-{
-    for (size_t l = 0; l < inner; l++)
-        out[l] = w[0] * in[l];
-    for (int q = 1; q <= e; q++)
-        for (size_t l = 0; l < inner; l++)
-            out[l] += w[q] * in[(size_t)q * inner + l];
 }
 
 static void compose_items(void *arg, size_t begin, size_t end)
 {
     const job *jb = arg;
-    int order = jb->sp->degree + 1;
+    int d = jb->sp->degree;
     double w[IX_MAX_ORDER];
 
     for (size_t i = begin; i < end; i++) {
-        int j = choose_span(jb, (int)i), first;
-        int e = blossom(jb, (int)i, j, &first, w);
-        size_t from = (size_t)j * (size_t)order + (size_t)first;
+        int range[2] = {jb->at[i + (d > 0)], jb->at[i + (size_t)d]};
+        int j = choose_span(jb, (int)i, range), e = 0;
+        size_t from = (size_t)j * (size_t)(d + 1);
 
-        for (size_t o = 0; o < jb->outer; o++)
-            combine(w, e, jb->in + (o * jb->nin + from) * jb->inner, jb->inner,
-                    jb->out + (o * jb->nout + i) * jb->inner);
+        if (d > 0)
+            from += (size_t)count_at(jb, (int)i, j + 1);
+        if (range[1] - range[0] > 1)
+            e = blossom(jb, (int)i, j, range, w);
+        for (size_t o = 0; o < jb->outer; o++) {
+            const double *in = jb->in + (o * jb->nin + from) * jb->inner;
+            double *out = jb->out + (o * jb->nout + i) * jb->inner;
+
+            if (e > 0)
+                ix__weigh(jb->inner, e + 1, w, in, NULL, out);
+            else
+                memcpy(out, in, jb->inner * sizeof *out);
+        }
     }
 }
 

@@ -8,12 +8,15 @@ ix_status ix__bernstein_of(ix_ctx *ctx, const ix_mv *m, ix__bernstein *b)
 
     b->m = m;
     for (int d = 0; d < m->ndirs; d++) {
-        size_t n;
+        size_t n, rows, total;
 
         IX_TRY(ix__spans_of(ctx, m->dirs + d, b->sp + d));
         n = (size_t)b->sp[d].nspans * (size_t)m->dirs[d].order;
         outer /= (size_t)m->dirs[d].length;
-        IX_SCRATCH(ctx, b->coefs, outer * n * inner);
+        if (__builtin_mul_overflow(outer, n, &rows) ||
+            __builtin_mul_overflow(rows, inner, &total))
+            return IX_FAIL(ctx, IX_ENOMEM, "too many Bezier pieces");
+        IX_SCRATCH(ctx, b->coefs, total);
         IX_TRY(ix__spans_extract(ctx, m->dirs + d, b->sp + d, outer, inner, in,
                                  b->coefs));
         b->stride[d] = inner;

@@ -22,13 +22,15 @@ static ix_status eval_grid(ix_ctx *ctx, const ix_mv *m, const int *counts,
     const double *in = m->pts;
 
     for (int d = 0; d < m->ndirs; d++) {
-        size_t n = (size_t)counts[d];
+        size_t n = (size_t)counts[d], total;
         double *to = out, *own;
         ix_rows rows;
 
         outer /= (size_t)m->dirs[d].length;
+        if (__builtin_mul_overflow(outer * inner, n, &total))
+            return IX_FAIL(ctx, IX_ENOMEM, "the grid is too large");
         if (d < m->ndirs - 1)
-            IX_SCRATCH(ctx, to, outer * n * inner);
+            IX_SCRATCH(ctx, to, total);
         IX_TRY(params(ctx, m, d, counts[d], t[d], &own));
         IX_TRY(ix__rows_sample(ctx, m->dirs + d, counts[d], own, &rows));
         ix__rows_apply(ctx, &rows, m->dirs[d].length, outer, inner, in, to);

@@ -393,7 +393,7 @@ static double constant_axis(const ix_mv *m, int a)
     const double *x = ix_mv_axis(m, a);
 
     for (size_t i = 0; i < m->npts; i++)
-        if (x[i] != x[0] || m->dirs[0].basis == IX_POWER)
+        if (x[i] != x[0])
             return (double)NAN;
     return x[0];
 }
