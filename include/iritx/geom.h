@@ -232,8 +232,9 @@ ix_status ix_fit_plane(ix_ctx *ctx, int n, const double *p, double plane[4],
  *              up to four times its half width at the focus. Else the
  *              parameters of the ends: for an ellipse the eccentric angles in
  *              degrees (counter-clockwise), for a hyperbola u in (a cosh u,
- *              b sinh u), for a parabola the distance from its axis. The axes
- *              are turned by at most 45 degrees from x and y (or y and -x).
+ *              b sinh u), for a parabola the distance from its axis, both
+ *              growing towards +x or +y. An ellipse's axes are turned by at
+ *              most 45 degrees from x and y.
  * Out   *out   P3, order 3; whole ellipses as ix_circle, else one or two spans
  * Err   IX_EARG     no or infinite coefficients, an empty range
  *       IX_EDOMAIN  no real points, a point, lines: the message says which */

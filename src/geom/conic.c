@@ -141,6 +141,17 @@ static ix_status classify(ix_ctx *ctx, const double in[6], conic *q)
     return parabola(ctx, t, 1, q);
 }
 
+/* The parameter of open conics grows towards +x or +y: the second axis is
+ * mirrored if need be (they are symmetric to the first). */
+static void orient(conic *q)
+{
+    int k = fabs(q->ey[0]) > fabs(q->ey[1]) ? 0 : 1;
+    double sign = q->kind != ELLIPSE && q->ey[k] < 0 ? -1 : 1;
+
+    q->ey[0] *= sign;
+    q->ey[1] *= sign;
+}
+
 /* Homogeneous points (w, x, y) of the part u0 .. u1 in the conic's frame, but
  * for ellipses, which are made of circles: p[3][3]. */
 static void piece(const conic *q, double u0, double u1, double p[3][3])
@@ -221,6 +232,7 @@ ix_status ix_conic(ix_ctx *ctx, const double coef[6], double z,
 
     *out = NULL;
     IX_TRY(classify(ctx, coef, &q));
+    orient(&q);
     if (q.kind == PARABOLA) { /* four times the half width at the focus */
         u[0] = -8 * q.a;
         u[1] = 8 * q.a;
@@ -271,6 +283,7 @@ ix_status ix_conic_between(ix_ctx *ctx, const double coef[6], double z,
         quarter(&q, 1);
         quarter(&q, 1); /* the other branch */
     }
+    orient(&q);
     IX_TRY(parameter(ctx, &q, p0, &u[0]));
     IX_TRY(parameter(ctx, &q, p1, &u[1]));
     if (q.kind != ELLIPSE && u[0] > u[1]) {
