@@ -50,6 +50,8 @@ void ix__bern_derive(int d, double f, size_t inner, const double *in,
 void ix__bern_integrate(int d, double f, const double *row, const double *row1,
                         size_t inner, const double *in, double *start,
                         double *out);
+/* Power coefficients, sum a_k u^k, to Bernstein ones in place. */
+void ix__bern_from_power(int d, size_t inner, double *a);
 /* The polynomial over [a, b] of u, as a form on its own span; b_k in and out
  * (not scaled), work and out double[d + 1][inner], in place allowed. */
 void ix__bern_restrict(int d, double a, double b, size_t inner,

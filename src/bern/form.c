@@ -122,6 +122,22 @@ static double mix(double x, double y, double t)
     return t <= 0.5 ? x + t * (y - x) : y + (1.0 - t) * (x - y);
 }
 
+/* b_k = sum over i <= k of C(k,i) / C(d,i) a_i: divide, then add d times. */
+void ix__bern_from_power(int d, size_t inner, double *a)
+{
+    double binom = 1.0;
+
+    for (int i = 1; i <= d; i++) {
+        binom = binom * (d - i + 1) / i;
+        for (size_t l = 0; l < inner; l++)
+            a[(size_t)i * inner + l] /= binom;
+    }
+    for (int r = d; r >= 1; r--)
+        for (int i = r; i <= d; i++)
+            for (size_t l = 0; l < inner; l++)
+                a[(size_t)i * inner + l] += a[(size_t)(i - 1) * inner + l];
+}
+
 /* One sweep of de Casteljau's rule over the rows 0 .. d, at parameter t:
  * row k becomes the blossom with t in k places (from below), or with t in
  * d - k places (from above). */

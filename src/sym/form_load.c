@@ -113,6 +113,8 @@ static ix_status load_dir(ix_ctx *ctx, int n, operand *op, int dir,
     ix_mv_domain(op[0].m, dir, dom);
     for (int i = 0; i < n; i++) {
         op[i].dirs[dir] = ix_mv_dir(op[i].m, dir);
+        if (op[i].dirs[dir].basis == IX_POWER)
+            op[i].dirs[dir].basis = IX_BEZIER; /* see from_power */
         *bezier &= op[i].dirs[dir].basis == IX_BEZIER;
         op[i].spans[dir] = (ix_spans){op[i].dirs[dir].order - 1, 1, unit_breaks,
                                       NULL};
@@ -141,21 +143,21 @@ static int exponent_of(size_t n, const double *x)
 
 /* Control points in the frame: double[naxes][npts]. */
 static ix_status framed(ix_ctx *ctx, const ix_mv *m, const ix_frame *f,
-                        const double **out)
+                        const double **pts)
 {
-    const double *w = ix_mv_weights(m);
+    const double *c = *pts, *w = m->rational ? c : NULL;
     int ew = w ? exponent_of(m->npts, w) : 0;
     double fw = ldexp(1.0, -ew), fx = ldexp(1.0, -f->exp - ew), *p, *x;
 
     IX_SCRATCH(ctx, p, (size_t)m->naxes * m->npts);
-    *out = x = p;
+    *pts = x = p;
     if (w) {
         for (size_t i = 0; i < m->npts; i++)
             x[i] = w[i] * fw;
         x += m->npts;
+        c += m->npts;
     }
-    for (int k = 0; k < m->ncoords; k++, x += m->npts) {
-        const double *c = ix_mv_coord(m, k);
+    for (int k = 0; k < m->ncoords; k++, x += m->npts, c += m->npts) {
         double shift = k < f->ncoords ? f->shift[k] : 0.0;
 
         for (size_t i = 0; i < m->npts; i++)
@@ -188,6 +190,28 @@ static ix_status tamed(ix_ctx *ctx, const ix_mv *m, const double **pts,
     return IX_OK;
 }
 
+/* A copy of the points whose power directions are Bezier; *pts stays if there
+ * is none. */
+static ix_status from_power(ix_ctx *ctx, const ix_mv *m, const double **pts)
+{
+    size_t n = (size_t)m->naxes * m->npts, inner = 1;
+    double *p = NULL;
+
+    for (int i = 0; i < m->ndirs; i++) {
+        size_t block = inner * (size_t)m->dirs[i].length;
+
+        if (m->dirs[i].basis == IX_POWER && !p) {
+            IX_SCRATCH(ctx, p, n);
+            memcpy(p, *pts, n * sizeof *p);
+            *pts = p;
+        }
+        for (size_t at = 0; m->dirs[i].basis == IX_POWER && at < n; at += block)
+            ix__bern_from_power(m->dirs[i].order - 1, inner, p + at);
+        inner = block;
+    }
+    return IX_OK;
+}
+
 /* Decomposes direction after direction; *out stays if none needs it. */
 static ix_status decompose(ix_ctx *ctx, const operand *op, const double *in,
                            double **out)
@@ -217,6 +241,7 @@ static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
     double *own = NULL; /* decomposed coefficients, if that took any work */
     int exp = 0;
 
+    IX_TRY(from_power(ctx, op->m, &pts));
     if (frame)
         IX_TRY(framed(ctx, op->m, frame, &pts));
     IX_TRY(tamed(ctx, op->m, &pts, &exp));
@@ -231,8 +256,8 @@ static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
 /* --- all together ------------------------------------------------------------
  */
 
-static ix_status load(ix_ctx *ctx, int n, const ix_mv *const *m,
-                      const ix_frame *frame, ix_form *out)
+ix_status ix__forms_load(ix_ctx *ctx, int n, const ix_mv *const *m,
+                         const ix_frame *frame, ix_form *out)
 {
     unsigned bezier = 0;
     operand *op;
@@ -252,40 +277,4 @@ static ix_status load(ix_ctx *ctx, int n, const ix_mv *const *m,
     for (int i = 0; i < n; i++)
         IX_TRY(load_one(ctx, &op[i], frame, bezier, &out[i]));
     return IX_OK;
-}
-
-static bool has_power(const ix_mv *m)
-{
-    for (int i = 0; i < m->ndirs; i++)
-        if (m->dirs[i].basis == IX_POWER)
-            return true;
-    return false;
-}
-
-ix_status ix__forms_load(ix_ctx *ctx, int n, const ix_mv *const *m,
-                         const ix_frame *frame, ix_form *out)
-{
-    ix_status st = IX_OK;
-    const ix_mv **own;
-    int made = 0;
-
-    for (int i = 0; i < n; i++)
-        made += has_power(m[i]);
-    if (!made)
-        return load(ctx, n, m, frame, out);
-    IX_SCRATCH(ctx, own, n);
-    for (made = 0; made < n && st == IX_OK; made++) {
-        ix_mv *t = NULL;
-
-        if (has_power(m[made]))
-            st = ix_mv_power_to_bezier(ctx, m[made], &t);
-        else
-            t = ix_mv_ref(m[made]);
-        own[made] = t;
-    }
-    if (st == IX_OK)
-        st = load(ctx, n, own, frame, out);
-    while (made > 0)
-        ix_mv_unref(ctx, own[--made]);
-    return st;
 }

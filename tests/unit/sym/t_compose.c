@@ -2,10 +2,10 @@
 #include "sym_test.h"
 
 /* g with coordinates in f's domain: control points in [lo, hi]. */
-static ix_mv *inner_function(ix_ctx *ctx, ix_rng *r, const rand_shape *s,
+static ix_mv *inner_function(ix_ctx *ctx, ix_rng *r, const ix_rand_opts *s,
                              double lo, double hi)
 {
-    ix_mv *g = rand_mv(ctx, r, s), *h;
+    ix_mv *g = ix_mv_randtest(ctx, r, s), *h;
     double p[IX_MAX_COORDS + 1];
 
     for (size_t i = 0; i < ix_mv_npts(g); i++) {
@@ -45,19 +45,19 @@ static void values_of_values(void **state)
 
     for (int round = 0; round < 60; round++) {
         int nf = 1 + round % 3, ng = 1 + round / 3 % 2, total = 0;
-        rand_shape sf = {.ndirs = nf,
-                         .ncoords = 2,
-                         .rational = round & 1,
-                         .kind = RAND_BEZIER,
-                         .max_order = 4,
-                         .spans = 1};
-        rand_shape sg = {.ndirs = ng,
-                         .ncoords = nf + (round & 1),
-                         .rational = round >> 1 & 1,
-                         .kind = round & 4 ? RAND_BEZIER : RAND_BSPLINE,
-                         .max_order = 3,
-                         .spans = 3};
-        ix_mv *f = rand_mv(w->ctx, &r, &sf), *c;
+        ix_rand_opts sf = {.ndirs = nf,
+                           .ncoords = 2,
+                           .rational = round & 1 ? 1 : -1,
+                           .kinds = IX_RAND_BEZIER,
+                           .max_order = 4};
+        ix_rand_opts sg = {.ndirs = ng,
+                           .ncoords = nf + (round & 1),
+                           .rational = round & 2 ? 1 : -1,
+                           .kinds = round & 4 ? IX_RAND_BEZIER
+                                              : IX_RAND_BSPLINES,
+                           .max_order = 3,
+                           .max_knots = 3};
+        ix_mv *f = ix_mv_randtest(w->ctx, &r, &sf), *c;
         ix_mv *g = inner_function(w->ctx, &r, &sg, 0, 1);
 
         ASSERT_OK(w->ctx, ix_sym_compose(w->ctx, f, g, &c));
@@ -83,24 +83,21 @@ static void cuts_at_knots(void **state)
 
     for (int round = 0; round < 40; round++) {
         int nf = 1 + round % 2;
-        rand_shape sf = {.ndirs = nf,
-                         .ncoords = 2,
-                         .rational = round & 1,
-                         .kind = RAND_BSPLINE,
-                         .max_order = 4,
-                         .min_order = 2,
-                         .smooth = true,
-                         .spans = 5};
-        rand_shape sg = {.ndirs = 1,
-                         .ncoords = nf,
-                         .rational = round >> 1 & 1,
-                         .kind = round & 4 ? RAND_BEZIER : RAND_BSPLINE,
-                         .max_order = 4,
-                         .min_order = 1,
-                         .smooth = true,
-                         .spans = 3};
-        ix_mv *f = rand_mv(w->ctx, &r, &sf), *c;
-        ix_mv *g = inner_function(w->ctx, &r, &sg, 0, 2);
+        ix_rand_opts sf = {.ndirs = nf,
+                           .ncoords = 2,
+                           .rational = round & 1 ? 1 : -1,
+                           .kinds = IX_RAND_BSPLINES,
+                           .max_order = 4,
+                           .unit = true};
+        ix_rand_opts sg = {.ndirs = 1,
+                           .ncoords = nf,
+                           .rational = round & 2 ? 1 : -1,
+                           .kinds = round & 4 ? IX_RAND_BEZIER
+                                              : IX_RAND_BSPLINES,
+                           .max_order = 4,
+                           .max_knots = 3};
+        ix_mv *f = ix_mv_randtest(w->ctx, &r, &sf), *c;
+        ix_mv *g = inner_function(w->ctx, &r, &sg, 0, 1);
 
         ASSERT_OK(w->ctx, ix_sym_compose(w->ctx, f, g, &c));
         compare(w->ctx, &r, f, g, c, 1e-11);
@@ -208,18 +205,18 @@ static void make_operands(ix_ctx *ctx, void *state)
 {
     operands *o = state;
     ix_rng r = ix_rng_new(43);
-    rand_shape s = {.ndirs = 2,
-                    .ncoords = 2,
-                    .rational = true,
-                    .kind = RAND_BSPLINE,
-                    .max_order = 4,
-                    .min_order = 3,
-                    .smooth = true,
-                    .spans = 4};
+    ix_rand_opts s = {.ndirs = 2,
+                      .ncoords = 2,
+                      .rational = 1,
+                      .kinds = IX_RAND_OPEN,
+                      .min_order = 3,
+                      .max_order = 4,
+                      .max_knots = 4,
+                      .unit = true};
 
-    o->f = rand_mv(ctx, &r, &s);
+    o->f = ix_mv_randtest(ctx, &r, &s);
     s.ndirs = 1;
-    o->g = inner_function(ctx, &r, &s, 0, 2);
+    o->g = inner_function(ctx, &r, &s, 0, 1);
     o->out = NULL;
 }
 

@@ -55,15 +55,14 @@ static void factors_are_found(void **state)
 
     for (int round = 0; round < 40; round++) {
         int nd = 1 + round % 2, dh = ix_rng_int(&r, 1, 4);
-        rand_shape s = {.ndirs = nd,
-                        .ncoords = 2,
-                        .rational = true,
-                        .kind = round & 4 ? RAND_BSPLINE : RAND_BEZIER,
-                        .max_order = 5,
-                        .min_order = 2,
-                        .smooth = true,
-                        .spans = round & 4 ? 3 : 1};
-        ix_mv *m = rand_mv(w->ctx, &r, &s), *h, *mh, *back;
+        ix_rand_opts s = {.ndirs = nd,
+                          .ncoords = 2,
+                          .rational = 1,
+                          .kinds = round & 4 ? IX_RAND_OPEN : IX_RAND_BEZIER,
+                          .min_order = 2,
+                          .max_order = 5,
+                          .max_knots = 3};
+        ix_mv *m = ix_mv_randtest(w->ctx, &r, &s), *h, *mh, *back;
         double pts[5], dom[2];
         ix_dir one[2] = {{IX_BSPLINE, 1, 1, false, NULL},
                          {IX_BSPLINE, 1, 1, false, NULL}};
@@ -109,16 +108,16 @@ static void raised_and_refined_comes_back(void **state)
     ix_rng r = ix_rng_new(52);
 
     for (int round = 0; round < 30; round++) {
-        rand_shape s = {.ndirs = 1 + round % 2,
-                        .ncoords = 2,
-                        .rational = round >> 1 & 1,
-                        .kind = RAND_BSPLINE,
-                        .max_order = 4,
-                        .min_order = 2,
-                        .smooth = true,
-                        .spans = 3};
-        ix_mv *m = rand_mv(w->ctx, &r, &s), *up, *fine, *back;
-        double knots[3] = {0.3, 0.7, 1.7};
+        ix_rand_opts s = {.ndirs = 1 + round % 2,
+                          .ncoords = 2,
+                          .rational = round & 2 ? 1 : -1,
+                          .kinds = IX_RAND_OPEN,
+                          .min_order = 2,
+                          .max_order = 4,
+                          .max_knots = 3,
+                          .unit = true};
+        ix_mv *m = ix_mv_randtest(w->ctx, &r, &s), *up, *fine, *back;
+        double knots[3] = {0.15, 0.35, 0.85};
         ix_reduce_report rep;
 
         ASSERT_OK(w->ctx,
