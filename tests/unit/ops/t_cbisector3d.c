@@ -1,5 +1,6 @@
 /* The bisector surface of two space curves: its definition substituted back,
  * its degrees, its behaviour under changes of the input, degenerate input. */
+#include <limits.h>
 #include <string.h>
 
 #include "harness/fault.h"
@@ -115,10 +116,347 @@ static void definition_holds(void **state)
     ix_ctx_free(ctx);
 }
 
+/* --- changes of the input ------------------------------------------------- */
+
+static ix_mv *bisector(ix_ctx *ctx, const ix_mv *a, const ix_mv *b)
+{
+    ix_mv *s;
+
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, NULL, NULL, &s));
+    return s;
+}
+
+/* A rotation, then a scale, then a translation, in row vectors. */
+static void motion(double scale, const double *shift, double mat[16])
+{
+    const double c = 0.6, s = 0.8;
+    const double m[16] = {c * scale,  s * c * scale, s * s * scale, 0,
+                          -s * scale, c * c * scale, c * s * scale, 0,
+                          0,          -s * scale,    c * scale,     0,
+                          shift[0],   shift[1],      shift[2],      1};
+
+    memcpy(mat, m, sizeof m);
+}
+
+/* Largest distance of the points of a and b at the same parameters (mapped by
+ * their domains), relative to size; where a's weight is not small. */
+static double worst_gap(ix_ctx *ctx, ix_rng *r, const ix_mv *a, const ix_mv *b,
+                        double size)
+{
+    double worst = 0, top = 0;
+
+    for (size_t i = 0; i < ix_mv_npts(a); i++)
+        top = fmax(top, fabs(ix_mv_weights(a)[i]));
+    for (int round = 0; round < 20; round++) {
+        double s[2], t[2], x[4], y[3], far = size;
+
+        for (int i = 0; i < 2; i++) {
+            double u = ix_rng_unit(r), p[2], q[2];
+
+            ix_mv_domain(a, i, p);
+            ix_mv_domain(b, i, q);
+            s[i] = p[0] + u * (p[1] - p[0]);
+            t[i] = q[0] + u * (q[1] - q[0]);
+        }
+        ASSERT_OK(ctx, ix_mv_eval(ctx, a, s, x));
+        if (!(fabs(x[0]) > 1e-2 * top))
+            continue;
+        ASSERT_OK(ctx, ix_mv_point(ctx, b, t, y));
+        for (int k = 0; k < 3; k++)
+            far = fmax(far, fabs(x[k + 1] / x[0]));
+        for (int k = 0; k < 3; k++)
+            worst = fmax(worst, fabs(x[k + 1] / x[0] - y[k]) / far);
+    }
+    return worst;
+}
+
+/* Law: the bisector of moved and scaled curves is the moved and scaled
+ * bisector; of curves on other domains, the same surface on these. */
+static void follows_motions_and_parameters(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(32);
+    const double shift[3] = {3, -2, 7};
+    double mat[16];
+
+    (void)state;
+    motion(2.5, shift, mat);
+    for (int round = 0; round < 8; round++) {
+        ix_mv *a = rand_curve(ctx, &r, 3, round & 1, round & 2 ? 3 : 0, NULL,
+                              1);
+        ix_mv *b = rand_curve(ctx, &r, 2, round & 4, 0, NULL, 1);
+        ix_mv *s = bisector(ctx, a, b), *ma, *mb, *ms, *sm;
+
+        ASSERT_OK(ctx, ix_mv_transform(ctx, a, mat, &ma));
+        ASSERT_OK(ctx, ix_mv_transform(ctx, b, mat, &mb));
+        ASSERT_OK(ctx, ix_mv_transform(ctx, s, mat, &ms));
+        sm = bisector(ctx, ma, mb);
+        assert_true(worst_gap(ctx, &r, ms, sm, 1) <= 1e-11);
+        ix_mv_unref(ctx, ma);
+        ix_mv_unref(ctx, sm);
+        ASSERT_OK(ctx, ix_mv_reparam(ctx, a, 0, -40, 13, &ma));
+        sm = bisector(ctx, ma, b);
+        assert_true(worst_gap(ctx, &r, s, sm, 1) <= 1e-11);
+        ix_mv_unref(ctx, sm);
+        sm = bisector(ctx, b, a); /* the surface with parameters exchanged */
+        ix_mv_unref(ctx, ms);
+        ASSERT_OK(ctx, ix_mv_swap_dirs(ctx, sm, 0, 1, &ms));
+        assert_true(worst_gap(ctx, &r, s, ms, 1) <= 1e-11);
+        ix_mv_unref(ctx, a);
+        ix_mv_unref(ctx, b);
+        ix_mv_unref(ctx, s);
+        ix_mv_unref(ctx, ma);
+        ix_mv_unref(ctx, mb);
+        ix_mv_unref(ctx, ms);
+        ix_mv_unref(ctx, sm);
+    }
+    ix_ctx_free(ctx);
+}
+
+/* Curves of size 1 at distance 1e6, of size 1e-6 and 1e150: what the input's
+ * own rounding (1e-10 of the size, at distance 1e6) leaves. */
+static void badly_scaled(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(33);
+    const double far[3] = {1e6, -1e6, 5e5};
+    const struct {
+        double size, tol;
+        const double *shift;
+    } cases[] = {{1, 1e-8, far}, {1e-6, 1e-12, NULL}, {1e150, 1e-12, NULL}};
+
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        for (int round = 0; round < 4; round++) {
+            ix_mv *a = rand_curve(ctx, &r, 3, round & 1, 0, cases[i].shift,
+                                  cases[i].size);
+            ix_mv *b = rand_curve(ctx, &r, 2, round & 2, 0, cases[i].shift,
+                                  cases[i].size);
+            ix_report rep;
+            ix_mv *s;
+
+            ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, NULL, &rep, &s));
+            if (!(rep.residual <= cases[i].tol))
+                fail_msg("case %d: residual %g", i, rep.residual);
+            ix_mv_unref(ctx, a);
+            ix_mv_unref(ctx, b);
+            ix_mv_unref(ctx, s);
+        }
+    ix_ctx_free(ctx);
+}
+
+/* Two skew lines: degree (2, 2) and one weight, so a polynomial surface: the
+ * hyperbolic paraboloid. Elber and Kim's example, (1, s, 0) and (0, 0, t),
+ * whose bisector is ((1 - s^2 + t^2) / 2, s, t). */
+static void skew_lines(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const double p[] = {1, 1, 0, 1, 0, 0}, q[] = {0, 0, 0, 0, 0, 1};
+    ix_mv *a = make_curve(ctx, 2, 2, NULL, false, 3, p);
+    ix_mv *b = make_curve(ctx, 2, 2, NULL, false, 3, q);
+    ix_mv *s = bisector(ctx, a, b);
+    double t[2] = {0.3, 0.8}, x[3];
+
+    (void)state;
+    assert_true(degree_of(s, 0) == 2 && degree_of(s, 1) == 2);
+    for (int i = 0; i < 9; i++)
+        ASSERT_CLOSE(ix_mv_weights(s)[i] / ix_mv_weights(s)[0], 1, 1e-15);
+    ASSERT_OK(ctx, ix_mv_point(ctx, s, t, x));
+    ASSERT_CLOSE(x[0], (1 - 0.09 + 0.64) / 2, 1e-15);
+    ASSERT_CLOSE(x[1], 0.3, 1e-15);
+    ASSERT_CLOSE(x[2], 0.8, 1e-15);
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_mv_unref(ctx, s);
+    ix_ctx_free(ctx);
+}
+
+/* Points of the reference case bisect-curves-3d-bspline (15 digits). */
+static void reference_points(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const double kv[] = {0, 0, 0, 0.5, 1, 1, 1};
+    const double p[] = {0, 1, 2, 3, 0, 0, 1, 0, 0, 1, 0, 0};
+    const double q[] = {0, 0, 2, 3, 0, 1};
+    const double want[3][3] = {
+        {-0.684881720430107, 1.03601075268817, 1.56398924731183},
+        {0.906, 1.597, 1.003},
+        {-51.3019999999998, -80.916333333333, 83.516333333333}};
+    ix_mv *a = make_curve(ctx, 3, 4, kv, false, 3, p);
+    ix_mv *b = make_curve(ctx, 2, 2, NULL, false, 3, q);
+    ix_mv *s = bisector(ctx, a, b);
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        double t[2] = {0.1 + 0.4 * i, 0.3}, x[3];
+
+        ASSERT_OK(ctx, ix_mv_point(ctx, s, t, x));
+        for (int k = 0; k < 3; k++)
+            ASSERT_CLOSE(x[k], want[i][k], 1e-13);
+    }
+    assert_int_equal(ix_mv_length(s, 0), 11); /* C0 at the knot: C' is */
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_mv_unref(ctx, s);
+    ix_ctx_free(ctx);
+}
+
+/* The same surface in the degrees of the paper and of IRIT. */
+static void degree_forms(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(34);
+    ix_mv *a = rand_curve(ctx, &r, 2, true, 0, NULL, 1);
+    ix_mv *b = rand_curve(ctx, &r, 3, true, 0, NULL, 1);
+    ix_mv *s = bisector(ctx, a, b), *f;
+    ix_op_opts o = {IX_FORM_PUBLISHED, INT_MAX};
+    ix_report rep;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, &o, &rep, &f));
+    assert_true(degree_of(f, 0) == 7 && degree_of(f, 1) == 11);
+    assert_int_equal(rep.form, IX_FORM_PUBLISHED);
+    assert_true(worst_gap(ctx, &r, s, f, 1) <= 1e-12);
+    ix_mv_unref(ctx, f);
+    o.form = IX_FORM_IRIT;
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, &o, NULL, &f));
+    assert_true(degree_of(f, 0) == 10 && degree_of(f, 1) == 15);
+    assert_int_equal(ix_mv_dir(f, 0).basis, IX_BSPLINE);
+    assert_true(worst_gap(ctx, &r, s, f, 1) <= 1e-12);
+    ix_mv_unref(ctx, f);
+    o.form = IX_FORM_NAIVE;
+    assert_int_equal(ix_cbisector3d(ctx, a, b, &o, NULL, &f), IX_EUNABLE);
+    assert_null(f);
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_mv_unref(ctx, s);
+    ix_ctx_free(ctx);
+}
+
+/* --- degenerate input
+ * --------------------------------------------------------- */
+
+static void expect(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, ix_status st,
+                   const char *text)
+{
+    ix_mv *s = NULL;
+
+    assert_int_equal(ix_cbisector3d(ctx, a, b, NULL, NULL, &s), st);
+    assert_null(s);
+    if (!strstr(ix_ctx_message(ctx), text))
+        fail_msg("\"%s\" is not in \"%s\"", text, ix_ctx_message(ctx));
+}
+
+/* Coplanar curves in a tilted plane (so with rounded coordinates), planar
+ * input of 2 coordinates, parallel lines; a point; the same curve twice,
+ * reversed, and on finer knots; surfaces. */
+static void degenerate_input(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(35);
+    const double shift[3] = {0.1, 0.2, 0.3}, half = 0.5;
+    double p[12], q[12], mat[16];
+    ix_mv *a, *b, *c, *d;
+    ix_dir square[2] = {{IX_BEZIER, 1, 1, false, NULL},
+                        {IX_BEZIER, 1, 1, false, NULL}};
+
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        p[i] = i < 8 ? ix_rng_range(&r, -1, 1) : 0;
+        q[i] = i < 8 ? ix_rng_range(&r, -1, 1) : 0;
+    }
+    a = make_curve(ctx, 4, 4, NULL, false, 2, p);
+    b = make_curve(ctx, 4, 4, NULL, false, 2, q);
+    expect(ctx, a, b, IX_EDOMAIN, "in one plane");
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    a = make_curve(ctx, 4, 4, NULL, false, 3, p);
+    b = make_curve(ctx, 4, 4, NULL, false, 3, q);
+    for (int i = 0; i < 2; i++) {
+        motion(i ? 1e-3 : 7.3, shift, mat);
+        ASSERT_OK(ctx, ix_mv_transform(ctx, a, mat, &c));
+        ASSERT_OK(ctx, ix_mv_transform(ctx, b, mat, &d));
+        expect(ctx, c, d, IX_EDOMAIN, "in one plane");
+        ix_mv_unref(ctx, c);
+        ix_mv_unref(ctx, d);
+    }
+    ix_mv_unref(ctx, b);
+    b = make_curve(ctx, 2, 2, NULL, false, 3, (double[]){1, 1, 2, 2, 3, 3});
+    expect(ctx, a, b, IX_EDOMAIN, "curve 2 is a point");
+    expect(ctx, b, a, IX_EDOMAIN, "curve 1 is a point");
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    a = rand_curve(ctx, &r, 3, true, 2, NULL, 1);
+    expect(ctx, a, a, IX_EDOMAIN, "both curves are the same");
+    ASSERT_OK(ctx, ix_mv_reverse(ctx, a, 0, &b));
+    expect(ctx, a, b, IX_EDOMAIN, "one reversed");
+    ix_mv_unref(ctx, b);
+    ASSERT_OK(ctx, ix_mv_insert_knots(ctx, a, 0, 1, &half, &b));
+    expect(ctx, a, b, IX_EDOMAIN, "both curves are the same");
+    ix_mv_unref(ctx, b);
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, square, 3, false, p, &b));
+    expect(ctx, a, b, IX_EARG, "operand 2");
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_ctx_free(ctx);
+}
+
+/* --- memory
+ * --------------------------------------------------------------------- */
+
+typedef struct {
+    ix_mv *a, *b, *out;
+} operands;
+
+static void make(ix_ctx *ctx, void *state)
+{
+    operands *o = state;
+    ix_rng r = ix_rng_new(36);
+
+    o->a = rand_curve(ctx, &r, 3, true, 3, NULL, 1);
+    o->b = rand_curve(ctx, &r, 2, false, 0, NULL, 1);
+    o->out = NULL;
+}
+
+static ix_status run(ix_ctx *ctx, void *state)
+{
+    operands *o = state;
+    ix_report rep;
+    ix_status st = ix_cbisector3d(ctx, o->a, o->b, NULL, &rep, &o->out);
+
+    assert_true((st == IX_OK) == (o->out != NULL));
+    return st;
+}
+
+static void release(ix_ctx *ctx, void *state)
+{
+    operands *o = state;
+
+    ix_mv_unref(ctx, o->a);
+    ix_mv_unref(ctx, o->b);
+    ix_mv_unref(ctx, o->out);
+}
+
+static void memory_may_fail(void **state)
+{
+    operands o;
+    ix_fault_case c = {make, run, release, &o};
+
+    (void)state;
+    assert_true(ix_fault_run(&c) > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(definition_holds),
+        cmocka_unit_test(follows_motions_and_parameters),
+        cmocka_unit_test(badly_scaled),
+        cmocka_unit_test(skew_lines),
+        cmocka_unit_test(reference_points),
+        cmocka_unit_test(degree_forms),
+        cmocka_unit_test(degenerate_input),
+        cmocka_unit_test(memory_may_fail),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
