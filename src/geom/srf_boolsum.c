@@ -43,7 +43,7 @@ static void compare(const ix_mv *c, const double *p, const double *q,
         *diff = fmax(*diff, fabs(a - b));
         *size = fmax(*size, fmax(fabs(a), fabs(b)));
         if (!(a - b == a - b)) /* a point at infinity or NaN is no corner */
-            *diff = INFINITY;
+            *diff = HUGE_VAL;
     }
 }
 

@@ -18,28 +18,28 @@ static ix_status fetch_dir(ix_call *c, int i, const ix_mv **m, int *dir)
     return ix__arg_dir(c, i, (*m)->ndirs, dir);
 }
 
-ix_status ix__prim_region(ix_call *c)
+typedef ix_status (*interval_fn)(ix_ctx *, const ix_mv *, int, double, double,
+                                 ix_mv **);
+
+static ix_status with_interval(ix_call *c, interval_fn fn)
 {
     const ix_mv *m;
     ix_mv *out;
     int dir;
 
     IX_TRY(fetch_dir(c, 1, &m, &dir));
-    IX_TRY(ix_mv_region(c->ctx, m, dir, ix__arg_num(c, 2), ix__arg_num(c, 3),
-                        &out));
+    IX_TRY(fn(c->ctx, m, dir, ix__arg_num(c, 2), ix__arg_num(c, 3), &out));
     return ix__ret_mv(c, 0, out);
+}
+
+ix_status ix__prim_region(ix_call *c)
+{
+    return with_interval(c, ix_mv_region);
 }
 
 ix_status ix__prim_reparam(ix_call *c)
 {
-    const ix_mv *m;
-    ix_mv *out;
-    int dir;
-
-    IX_TRY(fetch_dir(c, 1, &m, &dir));
-    IX_TRY(ix_mv_reparam(c->ctx, m, dir, ix__arg_num(c, 2), ix__arg_num(c, 3),
-                         &out));
-    return ix__ret_mv(c, 0, out);
+    return with_interval(c, ix_mv_reparam);
 }
 
 ix_status ix__prim_refine(ix_call *c)

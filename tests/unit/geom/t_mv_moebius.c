@@ -89,7 +89,7 @@ static void test_errors(void **state)
     assert_int_equal(ix_mv_morph(t.ctx, a, d, 0.5, &out), IX_EARG);
     assert_int_equal(ix_mv_moebius(t.ctx, a, 1, 1, &out), IX_EARG);
     assert_int_equal(ix_mv_moebius(t.ctx, a, 0, -1, &out), IX_EARG);
-    assert_int_equal(ix_mv_moebius(t.ctx, a, 0, NAN, &out), IX_EARG);
+    assert_int_equal(ix_mv_moebius(t.ctx, a, 0, (double)NAN, &out), IX_EARG);
     assert_int_equal(ix_mv_moebius(t.ctx, d, 0, 1, &out), IX_EARG);
     assert_int_equal(ix_mv_moebius(t.ctx, c, 0, 1, &out), IX_EDOMAIN);
     assert_null(out);

@@ -187,7 +187,7 @@ static void test_errors(void **state)
     ix_mv *c = gt_random(&t, 1, 2, -1, IX_RAND_BEZIER, 2);
     ix_mv *s = gt_random(&t, 2, 2, -1, IX_RAND_BEZIER, 2), *out;
     const ix_mv *cs[2] = {c, s}, *cc[2] = {c, c};
-    const double zero[3] = {0, 0, 0}, bad[3] = {NAN, 0, 0};
+    const double zero[3] = {0, 0, 0}, bad[3] = {(double)NAN, 0, 0};
 
     (void)state;
     assert_int_equal(ix_srf_ruled(t.ctx, c, s, &out), IX_EARG);

@@ -152,7 +152,7 @@ static void test_errors(void **state)
         {1, -2, 0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0, 0, -1},
         {1, 0, 0, 0, 0, 0, 0, 0, 0, 1},  {1, 0, 0, 0, 0, 0, 0, 0, 0, 0},
         {0, 0, 0, 0, 0, 0, 0, 0, 0, 1},  {0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
-    const double bad[10] = {INFINITY};
+    const double bad[10] = {HUGE_VAL};
     gt t = gt_begin(92);
     ix_mv *out;
 

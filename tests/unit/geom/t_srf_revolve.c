@@ -171,7 +171,8 @@ static void test_errors(void **state)
                      IX_EARG);
     assert_int_equal(ix_srf_revolve(t.ctx, s, IX_TURN_RATIONAL, &out), IX_EARG);
     assert_int_equal(ix_srf_revolve_part(t.ctx, c, 5, 5, &out), IX_EARG);
-    assert_int_equal(ix_srf_revolve_part(t.ctx, c, 5, NAN, &out), IX_EARG);
+    assert_int_equal(ix_srf_revolve_part(t.ctx, c, 5, (double)NAN, &out),
+                     IX_EARG);
     assert_int_equal(ix_srf_revolve_axis(t.ctx, c, 0, 90, zero, &out), IX_EARG);
     assert_null(out);
     ix_mv_unref(t.ctx, c);
