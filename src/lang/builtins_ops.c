@@ -23,6 +23,10 @@ static ix_status cbisector3d(ix_call *c)
     ix_mv *out;
     int n;
 
+    if (o.form == IX_FORM_NAIVE)
+        return IX_FAIL(c->ctx, IX_EUNABLE,
+                       "the bisector surface is not available in degree form "
+                       "naive, only in minimal, published and irit");
     if (ix__arg_num(c, 1) == 4)
         return IX_ARG_FAIL(c, 1,
                            "the zero set of function 4 is not available, "
