@@ -2,9 +2,9 @@
  *
  * The triangle of de Boor and Cox, transposed, with one argument a level
  * (Cohen, Lyche, Riesenfeld 1980, the Oslo algorithm): every level is a
- * convex combination when the arguments are in order. The weights
- * add up to 1 up to rounding; sums take differences from one point, so that
- * constants and end points are exact all the same. */
+ * convex combination when the arguments are in order. The weights add up to 1
+ * up to rounding; sums take differences from one point, so that constants and
+ * end points are exact all the same. */
 #include "bsp/basis.h"
 
 /* Argument of level r is args[(r - 1) * step]. */

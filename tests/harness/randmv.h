@@ -5,6 +5,27 @@
 #include "harness/test.h"
 #include "iritx/mv.h"
 
+/* A context, random numbers and the functions that make and end them, for a
+ * test file: pass setup and teardown to cmocka_run_group_tests. */
+#define IX_TEST_FIXTURE(seed)         \
+    static ix_ctx *ctx;               \
+    static ix_rng rng;                \
+                                      \
+    static int setup(void **state)    \
+    {                                 \
+        (void)state;                  \
+        ctx = ix_ctx_new(NULL, NULL); \
+        rng = ix_rng_new(seed);       \
+        return ctx ? 0 : -1;          \
+    }                                 \
+                                      \
+    static int teardown(void **state) \
+    {                                 \
+        (void)state;                  \
+        ix_ctx_free(ctx);             \
+        return 0;                     \
+    }
+
 /* Kinds of directions that may be drawn. */
 enum {
     IX_RAND_BEZIER = 1,

@@ -5,21 +5,7 @@
 #include "bsp/knots.h"
 #include "harness/randmv.h"
 
-static ix_ctx *ctx;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(8)
 
 /* spec/model 3.3 in its own words: first knot, step, domain [0, 1]. */
 static void standard_vectors(void **state)
@@ -75,7 +61,6 @@ static void errors(void **state)
  * the identity. */
 static void nodes_are_the_identity(void **state)
 {
-    ix_rng r = ix_rng_new(8);
     ix_rand_opts o = {.ndirs = 1,
                       .ncoords = 1,
                       .rational = -1,
@@ -84,13 +69,13 @@ static void nodes_are_the_identity(void **state)
 
     (void)state;
     for (int k = 0; k < 40; k++) {
-        ix_mv *m = ix_mv_randtest(ctx, &r, &o), *id;
+        ix_mv *m = ix_mv_randtest(ctx, &rng, &o), *id;
         ix_dir dir = ix_mv_dir(m, 0);
         double nodes[64], t, v;
 
         ix_knots_nodes(&dir, nodes);
         ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 1, false, nodes, &id));
-        ix_mv_randparam(&r, id, &t);
+        ix_mv_randparam(&rng, id, &t);
         ASSERT_OK(ctx, ix_mv_eval(ctx, id, &t, &v));
         ASSERT_CLOSE(v, t, 1e-14);
         ix_mv_unref(ctx, id);
@@ -101,17 +86,16 @@ static void nodes_are_the_identity(void **state)
 /* Law: the span holds its parameter and is not empty. */
 static void spans_hold_parameters(void **state)
 {
-    ix_rng r = ix_rng_new(9);
     ix_rand_opts o = {.ndirs = 1, .max_knots = 20, .kinds = IX_RAND_BSPLINES};
 
     (void)state;
     for (int k = 0; k < 200; k++) {
-        ix_mv *m = ix_mv_randtest(ctx, &r, &o);
+        ix_mv *m = ix_mv_randtest(ctx, &rng, &o);
         ix_dir dir = ix_mv_dir(m, 0);
         double t, dom[2];
         int mu;
 
-        ix_mv_randparam(&r, m, &t);
+        ix_mv_randparam(&rng, m, &t);
         ix_mv_domain(m, 0, dom);
         mu = ix__dir_span(&dir, t);
         assert_true(dir.knots[mu] < dir.knots[mu + 1]);

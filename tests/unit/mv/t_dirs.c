@@ -8,23 +8,7 @@
 /* One or two convex combinations of order up to 6. */
 #define TOL 2e-14
 
-static ix_ctx *ctx;
-static ix_rng rng;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    rng = ix_rng_new(23);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(23)
 
 static void assert_value(const ix_mv *m, const double *t, const ix_mv *n,
                          const double *s, double tol)

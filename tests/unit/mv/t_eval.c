@@ -6,23 +6,7 @@
 #include "harness/fault.h"
 #include "harness/randmv.h"
 
-static ix_ctx *ctx;
-static ix_rng rng;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    rng = ix_rng_new(3);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(3)
 
 /* --- another evaluator: the recursive definition of B-splines ------------- */
 
@@ -271,6 +255,23 @@ static void many_points(void **state)
     }
 }
 
+static void many_points_of_many_directions(void **state)
+{
+    ix_rand_opts o = {.ndirs = 6,
+                      .max_order = 3,
+                      .max_knots = 1,
+                      .ncoords = 18,
+                      .rational = 1};
+
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        ix_mv *m = ix_mv_randtest(ctx, &rng, &o);
+
+        many_like_one(m, 40, 2e-14);
+        ix_mv_unref(ctx, m);
+    }
+}
+
 static void many_points_of_high_order(void **state)
 {
     ix_rand_opts o = {.ndirs = 1,
@@ -393,7 +394,7 @@ static void errors(void **state)
 
     (void)state;
     for (int i = 0; i < 100; i++)
-        many[i] = i == 77 ? NAN : 1;
+        many[i] = i == 77 ? (double)NAN : 1;
     ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 1, true, pts, &m));
     assert_int_equal(ix_mv_eval(ctx, m, &outside, v), IX_EDOMAIN);
     assert_non_null(strstr(ix_ctx_message(ctx), "2.1"));
@@ -488,6 +489,7 @@ int main(void)
         cmocka_unit_test(derivatives_of_a_circle),
         cmocka_unit_test(blossoms),
         cmocka_unit_test(many_points),
+        cmocka_unit_test(many_points_of_many_directions),
         cmocka_unit_test(many_points_of_high_order),
         cmocka_unit_test(many_points_uneven),
         cmocka_unit_test(grid),

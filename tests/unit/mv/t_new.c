@@ -6,21 +6,7 @@
 #include "harness/fault.h"
 #include "harness/randmv.h"
 
-static ix_ctx *ctx;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(1)
 
 /* A curve in one coordinate with points 1, 2, 3, ..., expected to be refused
  * with a message that holds the given words. */

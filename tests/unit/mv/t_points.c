@@ -5,23 +5,7 @@
 #include "harness/fault.h"
 #include "harness/randmv.h"
 
-static ix_ctx *ctx;
-static ix_rng rng;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    rng = ix_rng_new(41);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(41)
 
 /* spec/model 4: 2 x 2 points P2 to E2, E1 and P3. */
 static void coerced(void **state)
@@ -76,10 +60,10 @@ static void scalars_join(void **state)
         }
         ASSERT_OK(ctx, ix_mv_join_scalars(ctx, n, axis, ix_mv_rational(m), &r));
         assert_true(ix_mv_equal(m, r, 0));
+        ix_mv_unref(ctx, r);
         assert_int_equal(ix_mv_scalar(ctx, m, n, &r), IX_EARG);
         for (int a = 0; a < n; a++)
             ix_mv_unref(ctx, axis[a]);
-        ix_mv_unref(ctx, r);
         ix_mv_unref(ctx, m);
     }
     {

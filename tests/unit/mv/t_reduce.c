@@ -3,23 +3,7 @@
 #include "harness/fault.h"
 #include "harness/randmv.h"
 
-static ix_ctx *ctx;
-static ix_rng rng;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    rng = ix_rng_new(11);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(11)
 
 /* Law: reducing what was raised gives the former back, and says so. */
 static void reduce_undoes_raise(void **state)

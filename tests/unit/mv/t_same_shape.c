@@ -6,23 +6,7 @@
 /* Rounding of a few convex combinations of order up to 6. */
 #define TOL 2e-14
 
-static ix_ctx *ctx;
-static ix_rng rng;
-
-static int setup(void **state)
-{
-    (void)state;
-    ctx = ix_ctx_new(NULL, NULL);
-    rng = ix_rng_new(7);
-    return ctx ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    ix_ctx_free(ctx);
-    return 0;
-}
+IX_TEST_FIXTURE(7)
 
 static void kinds_of_knots(void **state)
 {
@@ -275,6 +259,28 @@ static void raised_to_400(void **state)
     ix_mv_unref(ctx, m);
 }
 
+/* Six directions, all operations at once. */
+static void six_directions(void **state)
+{
+    ix_rand_opts o = {.ndirs = 6, .max_order = 3, .max_knots = 1};
+
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        ix_mv *m = ix_mv_randtest(ctx, &rng, &o), *a, *b, *c;
+        double dom[2];
+
+        ix_mv_domain(m, k, dom);
+        ASSERT_OK(ctx, ix_mv_raise(ctx, m, k, 4, &a));
+        ASSERT_OK(ctx, ix_mv_reparam(ctx, a, k, dom[0], dom[1], &b));
+        ASSERT_OK(ctx, ix_mv_to_open(ctx, b, &c));
+        ix_mv_assert_same(ctx, &rng, m, c, 1e-12);
+        ix_mv_unref(ctx, a);
+        ix_mv_unref(ctx, b);
+        ix_mv_unref(ctx, c);
+        ix_mv_unref(ctx, m);
+    }
+}
+
 static void errors(void **state)
 {
     ix_rand_opts o = {.ndirs = 1,
@@ -320,7 +326,7 @@ int main(void)
         cmocka_unit_test(regions),        cmocka_unit_test(region_of_a_circle),
         cmocka_unit_test(bezier_regions), cmocka_unit_test(insertion_is_local),
         cmocka_unit_test(high_orders),    cmocka_unit_test(raised_to_400),
-        cmocka_unit_test(errors),
+        cmocka_unit_test(six_directions), cmocka_unit_test(errors),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);
