@@ -89,10 +89,11 @@ static ix_status boxed(ix_interp *in, ix__val *v)
     return v->o ? IX_OK : IX_ENOMEM;
 }
 
-/* A result that is a number leaves its box. */
+/* A result that is a number leaves its box, unless others hold it, too: NREF
+ * gives an element itself. */
 static void unboxed(ix_interp *in, ix__val *v)
 {
-    if (v->o->type != IX_OBJ_NUMBER || v->o->attrs)
+    if (v->o->type != IX_OBJ_NUMBER || v->o->attrs || v->o->refs > 1)
         return;
     v->num = v->o->u.num;
     ix__obj_unref(in->ctx, v->o);
@@ -320,25 +321,18 @@ static ix_status user_args(ix_interp *in, ix__node *n, size_t base)
     return IX_OK;
 }
 
-ix_status ix__stack_check(ix_interp *in)
+ix_status ix__frame_push(ix_interp *in, const ix__fn *fn, size_t base,
+                         ix__pos call)
 {
     uintptr_t here = (uintptr_t)__builtin_frame_address(0);
 
-    if (in->stack_base > here && in->stack_base - here > STACK_BYTES)
-        return IX_FAIL(in->ctx, IX_EARG,
-                       "calls and expressions are nested too deeply");
-    return IX_OK;
-}
-
-static ix_status push_frame(ix_interp *in, const ix__node *n, ix__fn *fn,
-                            size_t base)
-{
     if (in->nframes >= in->opt.max_calls)
-        return IX_FAIL_AT(in, in->unit, n->pos,
+        return IX_FAIL_AT(in, in->unit, call,
                           "more than %d nested calls (does %s ever end?)",
                           in->opt.max_calls, fn->name);
-    if (ix__stack_check(in) != IX_OK)
-        return ix__at(in, in->unit, n->pos);
+    if (in->stack_base > here && in->stack_base - here > STACK_BYTES)
+        return IX_FAIL_AT(in, in->unit, call,
+                          "calls and expressions are nested too deeply");
     if ((size_t)in->nframes == in->cap_frames) {
         ix__frame *more = ix__grow(in->ctx, in->frame, &in->cap_frames,
                                    sizeof *more);
@@ -348,7 +342,7 @@ static ix_status push_frame(ix_interp *in, const ix__node *n, ix__fn *fn,
         in->frame = more;
     }
     in->frame[in->nframes++] = (ix__frame){
-        .fn = fn, .base = base, .caller = in->unit, .call = n->pos};
+        .fn = fn, .base = base, .caller = in->unit, .call = call};
     return IX_OK;
 }
 
@@ -360,7 +354,7 @@ static ix_status run_body(ix_interp *in, const ix__node *n, ix__fn *fn,
     size_t caller_base = in->base;
     ix_status st;
 
-    IX_TRY(push_frame(in, n, fn, base));
+    IX_TRY(ix__frame_push(in, fn, base, n->pos));
     if (in->states.debug_func)
         ix__remark(in, "%s is called", fn->name);
     in->base = base;

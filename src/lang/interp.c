@@ -275,16 +275,20 @@ ix_status ix__interp_run_file(ix_interp *in, const char *name)
 
 ix_status ix__exec_text(ix_interp *in, const char *text)
 {
+    static const ix__fn exec = {.name = "EXEC"}; /* for traces and limits */
     ix__reader rd;
     bool end = false;
-    ix_status st = ix__stack_check(in);
+    ix_status st;
 
+    IX_TRY(ix__frame_push(in, &exec, in->top, in->here));
     ix__reader_init(&rd, in);
     rd.add_semicolon = true;
     ix__reader_push_text(&rd, "<exec>", text, strlen(text));
-    while (st == IX_OK && !end)
+    do
         st = run_statement(in, &rd, true, &end);
+    while (st == IX_OK && !end);
     ix__reader_free(&rd);
+    in->nframes--;
     return st;
 }
 

@@ -161,8 +161,10 @@ ix_status ix__tick(ix_interp *in) IX_MUST_CHECK;
 ix_status ix__print_value(ix_interp *in, const ix_obj *o,
                           int refs) IX_MUST_CHECK;
 
-/* Err IX_EARG: most of the C stack is used up. */
-ix_status ix__stack_check(ix_interp *in) IX_MUST_CHECK;
+/* A new activation of fn, called from the place call of in->unit. Err IX_EARG
+ * (place recorded) too many, or most of the C stack is used up. */
+ix_status ix__frame_push(ix_interp *in, const ix__fn *fn, size_t base,
+                         ix__pos call) IX_MUST_CHECK;
 
 /* --- files (paths.c) ------------------------------------------------------ */
 #define IX_PATH 4096

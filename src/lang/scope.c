@@ -242,9 +242,8 @@ ix_status ix__stack_push(ix_interp *in, size_t n)
             return IX_ENOMEM;
         in->stack = more;
     }
-    if (n > 0) /* else there may be no stack yet */
-        memset(in->stack + in->top, 0, n * sizeof *in->stack);
-    in->top += n;
+    while (n-- > 0)
+        in->stack[in->top++] = NULL;
     return IX_OK;
 }
 

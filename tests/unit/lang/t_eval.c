@@ -48,6 +48,9 @@ static void t_assignment(void **state)
          "r = getattr(r, \"k\")",
          "3"},
         {"a = 2; attrib(a, \"k\", 3); b = a; r = getattr(b, \"k\")", "3"},
+        {"l = list(2); attrib(nref(l, 1), \"k\", 3); "
+         "r = getattr(nref(l, 1), \"k\")",
+         "3"},
         {"r = 5; r == (r = 6)", "6"},
     };
 
@@ -249,6 +252,7 @@ static void t_errors(void **state)
         {"for (i = 1e20, 1, 2e20, a = i)", "does not change any more", false},
         {"exec(\"a = 1 +\")", "<exec>:1:8: error: the input ends", false},
         {"exec(\"a = 1 / 0\")", "<exec>:1:7: error: division", false},
+        {"exec(\"a = 1 / 0\")", "  in EXEC, called from t:1", false},
         {"a = point(1, 2, 3) == vector(1, 2, 3)", "operator ==", false},
     };
 

@@ -104,7 +104,7 @@ static void t_include_cycle(void **state)
 
 static void t_include_depth(void **state)
 {
-    char name[16], text[64];
+    char name[32], text[80];
     session s;
 
     (void)state;
