@@ -320,10 +320,75 @@ static void test_constant(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Nearly a circle, a plane, a sphere, a surface of revolution, an extrusion:
+ * one control point moved by 1 % spoils each. */
+static void test_nearly(void **state)
+{
+    static const double profile[3][3] = {
+        {1, 1, 0},
+        {0.70710678118654757, 0.70710678118654757, 0.70710678118654757},
+        {1, 0, 1}};
+    static const ix__geom_kind kinds[] = {IX_KIND_SPHERICAL, IX_KIND_REVOLUTION,
+                                          IX_KIND_SWEEP};
+    double pts[12] = {0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0.01}, moved_pt[4];
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *m = revolve(ctx, 3, profile), *bad;
+
+    (void)state;
+    for (int k = 0; k < 3; k++)
+        assert_true(flag_of(ctx, m, kinds[k]) > 0);
+    for (int a = 0; a < 4; a++)
+        moved_pt[a] = ix_mv_axis(m, a)[4] * (a ? 1.01 : 1);
+    ASSERT_OK(ctx, ix_mv_set_point(ctx, m, 4, moved_pt, &bad));
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(flag_of(ctx, bad, kinds[k]), 0);
+    ix_mv_unref(ctx, bad);
+    ix_mv_unref(ctx, m);
+
+    m = make(ctx, 2, 2, false, pts); /* a square, one corner lifted */
+    assert_int_equal(flag_of(ctx, m, IX_KIND_PLANAR), 0);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_EXTRUSION), 0);
+    ix_mv_unref(ctx, m);
+    pts[11] = 0;
+    m = make(ctx, 2, 2, false, pts);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_PLANAR), 1);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_EXTRUSION), 1);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_SPHERICAL), 0);
+    ix_mv_unref(ctx, m);
+    ix_ctx_free(ctx);
+}
+
+/* A plane region bounded by parabolas is developable, though not ruled in its
+ * parameters; a curve with many spans is sampled less densely. */
+static void test_odd_input(void **state)
+{
+    static const double pts[27] = {0, 1,  2, 0, 1.3, 2, 0, 1, 2,
+                                   0, -1, 0, 1, 1.2, 1, 2, 3, 2};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *m = make(ctx, 3, 3, false, pts);
+    double knots[303], line[900];
+    ix_dir dir = {
+        .basis = IX_BSPLINE, .order = 3, .length = 300, .knots = knots};
+
+    (void)state;
+    assert_int_equal(flag_of(ctx, m, IX_KIND_RULED), 0);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_DEVELOPABLE), 1);
+    ix_mv_unref(ctx, m);
+    ASSERT_OK(ctx, ix_knots_make(ctx, IX_KV_OPEN, 3, 300, knots));
+    for (int i = 0; i < 900; i++)
+        line[i] = (i % 300) * (1 + i / 300);
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 3, false, line, &m));
+    assert_int_equal(flag_of(ctx, m, IX_KIND_LINEAR), 1);
+    assert_int_equal(flag_of(ctx, m, IX_KIND_CIRCULAR), 0);
+    ix_mv_unref(ctx, m);
+    ix_ctx_free(ctx);
+}
+
 static void test_errors(void **state)
 {
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
     static const double pts[8] = {1, -1, 0, 1, 0, 0, 0, 0};
+    static const double pole[12] = {1, 1, 0, 0, 1, 2};
     const ix_dir dirs[3] = {{.basis = IX_BEZIER, .order = 1, .length = 1},
                             {.basis = IX_BEZIER, .order = 1, .length = 1},
                             {.basis = IX_BEZIER, .order = 1, .length = 1}};
@@ -337,6 +402,9 @@ static void test_errors(void **state)
     m = make(ctx, 2, 0, false, pts);
     assert_int_equal(ix__recognize(ctx, m, IX_KIND_CONST, 0, &f), IX_EARG);
     assert_int_equal(ix__recognize(ctx, m, (ix__geom_kind)3, EPS, &f), IX_EARG);
+    ix_mv_unref(ctx, m);
+    m = make(ctx, 3, 0, true, pole); /* its end is at infinity */
+    assert_int_equal(ix__recognize(ctx, m, IX_KIND_CONST, EPS, &f), IX_EDOMAIN);
     ix_mv_unref(ctx, m);
     ix_ctx_free(ctx);
 }
@@ -379,6 +447,8 @@ int main(void)
         cmocka_unit_test(test_tangent_developable),
         cmocka_unit_test(test_tolerance),
         cmocka_unit_test(test_constant),
+        cmocka_unit_test(test_nearly),
+        cmocka_unit_test(test_odd_input),
         cmocka_unit_test(test_errors),
         cmocka_unit_test(test_memory),
     };

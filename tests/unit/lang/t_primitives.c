@@ -1,7 +1,9 @@
 /* t_primitives.c - the functions of chapters 1 to 6 and of the start-up
  * library with every allocation failing in turn: a message, no value, no
- * block left. Their values are tested by tests/script. */
+ * block left. Their values are tested by tests/script, but for GETLINE. */
+#define _POSIX_C_SOURCE 200809L
 #include <string.h>
+#include <unistd.h>
 
 #include "harness/fault.h"
 #include "harness/test.h"
@@ -161,6 +163,47 @@ static void test_system(void **state)
     fail_all(texts);
 }
 
+/* GETLINE takes the numbers that the type needs, else the text. */
+static void test_getline(void **state)
+{
+    static const char input[] = "3.5\n1, 2 3\n1 2\n1 2 3 4\n4 5 6 \nword\n";
+    static const char script[] =
+        "a = getline(numeric_type); b = getline(point_type); "
+        "c = getline(vector_type); d = getline(plane_type); "
+        "e = getline(vector_type); f = getline(numeric_type); "
+        "g = getline(string_type);";
+    static const struct {
+        const char *name;
+        ix_obj_type type;
+    } want[] = {{"A", IX_OBJ_NUMBER}, {"B", IX_OBJ_POINT},
+                {"C", IX_OBJ_STRING}, {"D", IX_OBJ_PLANE},
+                {"E", IX_OBJ_VECTOR}, {"F", IX_OBJ_STRING},
+                {"G", IX_OBJ_STRING}};
+    FILE *f = tmpfile();
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    run_state s = {.nowhere = stderr};
+
+    (void)state;
+    assert_non_null(f);
+    assert_int_equal(fwrite(input, 1, sizeof input - 1, f), sizeof input - 1);
+    assert_int_equal(fflush(f), 0);
+    assert_true(dup2(fileno(f), 0) == 0);
+    rewind(stdin);
+    open_interp(ctx, &s);
+    ASSERT_OK(ctx, ix__interp_run_text(s.in, "t", script, sizeof script - 1));
+    for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
+        const ix_obj *o = ix__var_find(s.in, want[i].name);
+
+        if (!o || o->type != want[i].type)
+            fail_msg("%s is %s", want[i].name,
+                     o ? ix__obj_type_name(o->type) : "not there");
+    }
+    assert_true(ix__var_find(s.in, "E")->u.pt[2] == 6);
+    close_interp(ctx, &s);
+    ix_ctx_free(ctx);
+    (void)fclose(f);
+}
+
 static void test_startup(void **state)
 {
     static const char *const texts[] = {
@@ -182,6 +225,7 @@ int main(void)
         cmocka_unit_test(test_lists),      cmocka_unit_test(test_coerce),
         cmocka_unit_test(test_attributes), cmocka_unit_test(test_analytic),
         cmocka_unit_test(test_system),     cmocka_unit_test(test_startup),
+        cmocka_unit_test(test_getline),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
