@@ -153,6 +153,19 @@ static int run(ix_ctx *ctx, const options *o)
     return st != IX_OK || errors;
 }
 
+static void show_note(void *ud, const char *text)
+{
+    (void)ud;
+    (void)fprintf(stderr, "iritx: %s\n", text);
+}
+
+static int run_command(ix_ctx *ctx, const options *o)
+{
+    if (!o->interp.quiet)
+        ix_ctx_set_note(ctx, show_note, NULL);
+    return o->command->run(ctx, o->nargs, o->args);
+}
+
 static int run_with_context(const options *o)
 {
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
@@ -165,7 +178,7 @@ static int run_with_context(const options *o)
     ix_ctx_set_memory_limit(ctx, o->max_memory);
     ix_ctx_set_threads(ctx, o->threads);
     ix_ctx_set_cancel(ctx, &cancel);
-    rc = run(ctx, o);
+    rc = o->task == DO_COMMAND ? run_command(ctx, o) : run(ctx, o);
     ix_ctx_free(ctx);
     return rc;
 }

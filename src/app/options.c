@@ -59,6 +59,7 @@ static const struct {
 void options_usage(FILE *f)
 {
     (void)fprintf(f, "usage: iritx [options] [script...]\n"
+                     "       iritx [options] command arguments\n"
                      "Runs .irt scripts; - or nothing is standard input.\n\n");
     for (size_t i = 0; i < NOPTIONS; i++) {
         char left[64];
@@ -67,6 +68,8 @@ void options_usage(FILE *f)
                        table[i].value ? table[i].value : "");
         (void)fprintf(f, "  %-22s %s\n", left, table[i].help);
     }
+    (void)fprintf(f, "\nCommands (a script of that name is run as ./NAME):\n");
+    cmd_usage(f);
     (void)fprintf(f, "\nExit status: 0 fine, 1 an error was reported, 2 wrong "
                      "usage, 128+n signal n.\n");
 }
@@ -215,6 +218,20 @@ static bool read_option(reader *r, const char *arg)
     return complain("unknown option", arg);
 }
 
+/* The first argument that is no option may name a command, which takes all
+ * that follows. */
+static bool take_command(reader *r, const char *arg)
+{
+    options *o = r->o;
+
+    if (o->nitems > 0 || !(o->command = cmd_find(arg)))
+        return false;
+    o->task = DO_COMMAND;
+    o->args = r->argv + r->at;
+    o->nargs = r->argc - r->at;
+    return true;
+}
+
 bool options_read(int argc, char **argv, options *o)
 {
     reader r = {argc, 1, argv, o};
@@ -223,6 +240,8 @@ bool options_read(int argc, char **argv, options *o)
     while (r.at < argc) {
         const char *arg = argv[r.at++];
 
+        if (!only_names && take_command(&r, arg))
+            return true;
         if (only_names || *arg != '-' || !arg[1])
             (void)add_item(o, RUN_FILE, arg);
         else if (strcmp(arg, "--") == 0)

@@ -2,6 +2,7 @@
 #ifndef APP_OPTIONS_H
 #define APP_OPTIONS_H
 
+#include "app/cmd.h"
 #include "lang/interp.h"
 
 typedef enum { RUN_FILE, RUN_TEXT, RUN_DEFINE } run_kind;
@@ -11,7 +12,7 @@ typedef struct {
     const char *arg; /* file name; text; NAME=VALUE */
 } run_item;
 
-typedef enum { DO_RUN, DO_HELP, DO_LIST, DO_VERSION } task;
+typedef enum { DO_RUN, DO_HELP, DO_LIST, DO_VERSION, DO_COMMAND } task;
 
 typedef struct {
     task task;
@@ -20,6 +21,9 @@ typedef struct {
     int degree_form, threads;
     size_t max_memory; /* bytes; 0: no limit */
     ix_interp_opts interp;
+    const command *command; /* with what stands behind its name */
+    int nargs;
+    char **args;
     int nitems;
     run_item *item; /* as many as there are arguments */
 } options;

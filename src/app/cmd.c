@@ -1,0 +1,45 @@
+/* cmd.c - the table of subcommands. */
+#include "app/cmd.h"
+
+#include <string.h>
+
+static const command commands[] = {
+    {"convert", "IN OUT", "reads one file and writes another; suffixes decide",
+     cmd_convert},
+    {"info", "FILE...", "what files hold: names, types, orders, boxes",
+     cmd_info},
+};
+#define NCOMMANDS (sizeof commands / sizeof *commands)
+
+const command *cmd_find(const char *name)
+{
+    for (size_t i = 0; i < NCOMMANDS; i++)
+        if (strcmp(commands[i].name, name) == 0)
+            return &commands[i];
+    return NULL;
+}
+
+void cmd_usage(FILE *f)
+{
+    for (size_t i = 0; i < NCOMMANDS; i++) {
+        char left[64];
+
+        (void)snprintf(left, sizeof left, "%s %s", commands[i].name,
+                       commands[i].args);
+        (void)fprintf(f, "  %-22s %s\n", left, commands[i].help);
+    }
+}
+
+int cmd_complain(const ix_ctx *ctx)
+{
+    (void)fprintf(stderr, "iritx: error: %s\n", ix_ctx_message(ctx));
+    return 1;
+}
+
+int cmd_wrong_usage(const char *name)
+{
+    const command *c = cmd_find(name);
+
+    (void)fprintf(stderr, "usage: iritx %s %s\n", name, c ? c->args : "");
+    return 2;
+}
