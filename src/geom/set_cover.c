@@ -117,7 +117,7 @@ static int largest(const cover *c, const uint64_t *open, int cell)
 
 /* A first cover. If every set is one range, taking the leftmost open cell and
  * the range that reaches farthest from it is exact. */
-static void greedy(cover *c, bool single)
+static ix_status greedy(cover *c, bool single)
 {
     int cell;
 
@@ -126,10 +126,12 @@ static void greedy(cover *c, bool single)
     while ((cell = first_open(c, c->left)) >= 0) {
         int s = largest(c, c->left, single ? cell : -1);
 
+        IX_TRY(ix__poll(c->ctx));
         c->best[c->nbest++] = s;
         for (size_t i = 0; i < c->nwords; i++)
             c->left[i] &= ~mask_of(c, s)[i];
     }
+    return IX_OK;
 }
 
 /* The open cell that fewest sets cover: the best to branch on. */
@@ -240,7 +242,7 @@ static ix_status solve(ix_ctx *ctx, int n, const ix__range *r, int nsets,
     IX_TRY(prepare(&c, n, r, tol));
     for (int i = 0; i < n; i++)
         single = single && !seen[r[i].set]++;
-    greedy(&c, single);
+    IX_TRY(greedy(&c, single));
     if (!single && c.nbest > 1)
         IX_TRY(branch_and_bound(&c));
     memset(pick, 0, (size_t)nsets);

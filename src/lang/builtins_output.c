@@ -3,6 +3,7 @@
  * programs that render it afterwards. */
 #include <string.h>
 
+#include "lang/clients.h"
 #include "lang/deep_copy.h"
 #include "lang/interp.h"
 
@@ -127,7 +128,30 @@ static ix_status b_viewset(ix_call *c)
     return IX_OK;
 }
 
+ix_status ix__no_client(ix_call *c)
+{
+    return IX_FAIL(c->ctx, IX_EUNABLE,
+                   "scripts run without client programs here: there is nobody "
+                   "to talk to");
+}
+
+/* The rows CLNT... belong to chapter 24. */
 const ix_builtin ix__builtins_output[] = {
+    {"CLNTCLOSE", "handle:num kill:num -> nothing",
+     "Would end a client program; there are none.", "clntclose(0, true);",
+     ix__no_client, IX_B_SOFT, 24},
+    {"CLNTCRSR", "ms:num -> list",
+     "Would wait for the mouse on a display; there is none.", "clntcrsr(10);",
+     ix__no_client, IX_B_SOFT, 24},
+    {"CLNTEXEC", "command:str -> num",
+     "Would start a client program; there are none.", "clntexec(\"prog\");",
+     ix__no_client, IX_B_SOFT, 24},
+    {"CLNTREAD", "handle:num ms:num -> any",
+     "Would read an object from a client program; there are none.",
+     "clntread(0, 10);", ix__no_client, IX_B_SOFT, 24},
+    {"CLNTWRITE", "handle:num x:any -> nothing",
+     "Would send an object to a client program; there are none.",
+     "clntwrite(clients_all, axes);", ix__no_client, IX_B_SOFT, 24},
     {"LOAD", "file:str -> any",
      "Reads a file; several objects come as a list, and named objects in it "
      "also become variables.",

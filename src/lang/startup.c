@@ -10,6 +10,7 @@
 
 #include "geom/matrix.h"
 #include "geom/vec3.h"
+#include "lang/clients.h"
 #include "lang/deep_copy.h"
 #include "lang/interp.h"
 
@@ -290,16 +291,6 @@ static ix_status b_genpllnstoplgons(ix_call *c)
     return ret_polys(c, IX_POLYGON);
 }
 
-/* --- display clients
- * ----------------------------------------------------------------- */
-
-static ix_status no_client(ix_call *c)
-{
-    return IX_FAIL(c->ctx, IX_EUNABLE,
-                   "scripts run without a display client here: there is "
-                   "nobody to ask");
-}
-
 #define LIB(name, sig, summary, example, fn)              \
     {                                                     \
         name, sig, summary, example, fn, IX_B_LIBRARY, 25 \
@@ -308,7 +299,7 @@ static ix_status no_client(ix_call *c)
     {                                                                          \
         name, "arguments:any... -> any",                                       \
             "Talks to a display client, of which there is none.", name "(0);", \
-            no_client, IX_B_LIBRARY | IX_B_SOFT, 25                            \
+            ix__no_client, IX_B_LIBRARY | IX_B_SOFT, 25                        \
     }
 
 const ix_builtin ix__builtins_startup[] = {
