@@ -114,9 +114,7 @@ static ix_status b_viewobj(ix_call *c)
     if (o->type == IX_OBJ_STRING && o->name &&
         strncmp(o->name, "COMMAND_", 8) == 0)
         return display_command(c, o);
-    copy = ix__obj_copy(c->ctx, o); /* later changes are not shown */
-    if (!copy)
-        return IX_ENOMEM;
+    IX_TRY(ix__deep_copy(c->ctx, o, &copy)); /* as it is now */
     st = ix__view(c->in, copy);
     ix__obj_unref(c->ctx, copy);
     return st;

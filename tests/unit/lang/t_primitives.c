@@ -204,6 +204,27 @@ static void test_getline(void **state)
     (void)fclose(f);
 }
 
+/* What is shown is kept as it was then, until the display is cleared. */
+static void test_viewed(void **state)
+{
+    static const char show[] = "a = 1; viewobj(list(a)); a = 2; viewobj(3);";
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    run_state s = {.nowhere = stderr};
+    const ix_obj *l;
+
+    (void)state;
+    open_interp(ctx, &s);
+    ASSERT_OK(ctx, ix__interp_run_text(s.in, "t", show, sizeof show - 1));
+    l = ix__interp_viewed(s.in);
+    assert_int_equal(l->u.list.n, 2);
+    assert_true(l->u.list.item[0]->u.list.item[0]->u.num == 1);
+    assert_true(l->u.list.item[1]->u.num == 3);
+    ASSERT_OK(ctx, ix__interp_run_text(s.in, "t", "viewclear();", 12));
+    assert_int_equal(ix__interp_viewed(s.in)->u.list.n, 0);
+    close_interp(ctx, &s);
+    ix_ctx_free(ctx);
+}
+
 static void test_startup(void **state)
 {
     static const char *const texts[] = {
@@ -225,7 +246,7 @@ int main(void)
         cmocka_unit_test(test_lists),      cmocka_unit_test(test_coerce),
         cmocka_unit_test(test_attributes), cmocka_unit_test(test_analytic),
         cmocka_unit_test(test_system),     cmocka_unit_test(test_startup),
-        cmocka_unit_test(test_getline),
+        cmocka_unit_test(test_getline),    cmocka_unit_test(test_viewed),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
