@@ -1,6 +1,7 @@
 /* options.c - the command line: one table row per option. */
 #include "app/options.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -123,6 +124,7 @@ static bool apply_value(options *o, option_id id, const char *v)
     unsigned long n = 0;
     bool ok = true;
 
+    assert(v);
     switch (id) {
     case TEXT:
         return add_item(o, RUN_TEXT, v);

@@ -91,7 +91,7 @@ static ix_status operand_types(checker *k, ix__op op, ix__pos pos, ix__types l,
     if (*t)
         return IX_OK;
     (void)ix__op_mismatch(k->in, op, l, r);
-    return ix__at(k->in, k->u, pos);
+    return IX_AT(k->in, k->u, pos, IX_EARG);
 }
 
 static ix_status chain(checker *k, ix__node *n, ix__types *t)
@@ -160,7 +160,7 @@ static ix_status builtin_call(checker *k, ix__node *n)
         IX_TRY(value(k, n->kid[i], &t));
         if (!(t & ix__sig_arg(s, i))) {
             (void)ix__arg_mismatch(k->in, n->u.bi, i, t);
-            return ix__at(k->in, k->u, n->kid[i]->pos);
+            return IX_AT(k->in, k->u, n->kid[i]->pos, IX_EARG);
         }
     }
     return IX_OK;
@@ -203,6 +203,7 @@ static ix_status no_value(checker *k, const ix__node *n)
 
 static ix_status value(checker *k, ix__node *n, ix__types *t)
 {
+    *t = IX_T_ANY;
     switch (n->kind) {
     case N_NUM:
         *t = IX_T(NUMBER);
@@ -232,7 +233,6 @@ static ix_status value(checker *k, ix__node *n, ix__types *t)
     case N_USER:
         if (n->u.sym->fn->is_procedure)
             return no_value(k, n);
-        *t = IX_T_ANY;
         return user_call(k, n);
     default:
         return no_value(k, n);

@@ -4,6 +4,7 @@
  * evaluated before the left one, arguments go from left to right. Operands
  * and arguments are references of our own, so a call may free or assign the
  * variables they come from. */
+#include <assert.h>
 #include <string.h>
 
 #include "lang/interp_impl.h"
@@ -59,6 +60,7 @@ static ix_status variable(ix_interp *in, const ix__node *n, ix__val *v)
     ix_obj *box;
 
     IX_TRY(variable_box(in, n, &box));
+    assert(box);
     if (box->type == IX_OBJ_NUMBER)
         v->num = box->u.num;
     else
@@ -93,6 +95,7 @@ static ix_status boxed(ix_interp *in, ix__val *v)
  * gives an element itself. */
 static void unboxed(ix_interp *in, ix__val *v)
 {
+    assert(v->o);
     if (v->o->type != IX_OBJ_NUMBER || v->o->attrs || v->o->refs > 1)
         return;
     v->num = v->o->u.num;
@@ -126,7 +129,7 @@ static ix_status apply(ix_interp *in, ix__op op, ix__pos pos, ix__val *l,
         ix__obj_unref(in->ctx, r->o);
     }
     *v = result;
-    return st == IX_OK ? st : ix__at(in, in->unit, pos);
+    return st == IX_OK ? st : IX_AT(in, in->unit, pos, st);
 }
 
 static ix_status binary(ix_interp *in, ix__node *n, ix__val *v)
@@ -203,7 +206,7 @@ static ix_status unary(ix_interp *in, ix__node *n, ix__val *v)
         st = ix__op_mismatch(in, OP_NOT, 1u << a.o->type, 0);
     ix__obj_unref(in->ctx, a.o);
     if (st != IX_OK)
-        return ix__at(in, in->unit, n->pos);
+        return IX_AT(in, in->unit, n->pos, st);
     unboxed(in, v);
     return IX_OK;
 }
@@ -218,21 +221,20 @@ static ix_status call_failed(ix_interp *in, const ix__node *n, const ix_call *c,
 {
     const ix_builtin *row = n->u.bi->row;
     char msg[sizeof in->ctx->msg];
+    bool named = c->bad_arg > 0 && c->bad_arg <= n->n;
 
     if (in->exiting || in->place.set) /* an EXEC inside said all */
         return st;
     memcpy(msg, ix_ctx_message(in->ctx), sizeof msg);
-    if (c->bad_arg > 0 && c->bad_arg <= n->n)
+    if (named)
         (void)IX_FAIL(in->ctx, st, "argument %d of %s: %.400s", c->bad_arg,
                       row->name, msg);
     else
         (void)IX_FAIL(in->ctx, st, "%s: %.400s", row->name, msg);
     in->soft = row->flags & IX_B_SOFT && st != IX_ENOMEM && st != IX_ECANCEL;
     in->soft_node = n;
-    return ix__at(in, in->unit,
-                  c->bad_arg > 0 && c->bad_arg <= n->n
-                      ? n->kid[c->bad_arg - 1]->pos
-                      : n->pos);
+    return IX_AT(in, in->unit, named ? n->kid[c->bad_arg - 1]->pos : n->pos,
+                 st);
 }
 
 ix_status ix__arg_mismatch(ix_interp *in, const ix__bi *bi, int i,
@@ -257,7 +259,7 @@ static ix_status check_types(ix_interp *in, const ix__node *n,
         if (t & ix__sig_arg(&bi->sig, i))
             continue;
         (void)ix__arg_mismatch(in, bi, i, t);
-        return ix__at(in, in->unit, n->kid[i]->pos);
+        return IX_AT(in, in->unit, n->kid[i]->pos, IX_EARG);
     }
     return IX_OK;
 }
@@ -518,5 +520,5 @@ ix_status ix__eval_num(ix_interp *in, ix__node *n, const char *what,
     (void)IX_FAIL(in->ctx, IX_EARG, "%s must be a number, got %s", what,
                   ix__types_text(1u << v.o->type, buf, sizeof buf));
     ix__obj_unref(in->ctx, v.o);
-    return ix__at(in, in->unit, n->pos);
+    return IX_AT(in, in->unit, n->pos, IX_EARG);
 }

@@ -117,7 +117,7 @@ static ix_status print(ix_interp *in, ix__node *n)
     }
     st = ix__print_value(in, o, holders(n, o));
     ix__obj_unref(in->ctx, o);
-    return st == IX_OK ? st : ix__at(in, in->unit, n->pos);
+    return st == IX_OK ? st : IX_AT(in, in->unit, n->pos, st);
 }
 
 /* --- branches and loops
@@ -244,7 +244,7 @@ ix_status ix__exec(ix_interp *in, ix__node *n)
     ix_status st = ix__tick(in);
 
     if (st != IX_OK)
-        return ix__at(in, in->unit, n->pos);
+        return IX_AT(in, in->unit, n->pos, st);
     switch (n->kind) {
     case N_SEQ:
         return sequence(in, n);

@@ -12,7 +12,6 @@
 #include "lang/interp_impl.h"
 
 #define DEFAULT_CALLS  1000
-#define DEFAULT_COEFFS ((size_t)16 << 20)
 #define DEFAULT_FORMAT "%-16.14lg"
 
 /* --- making and freeing
@@ -56,8 +55,6 @@ ix_status ix__interp_new(ix_ctx *ctx, const ix_interp_opts *o, ix_interp **out)
     ix__buf_init(&in->text, ctx);
     if (in->opt.max_calls <= 0)
         in->opt.max_calls = DEFAULT_CALLS;
-    if (!in->opt.max_coeffs)
-        in->opt.max_coeffs = DEFAULT_COEFFS;
     st = set_up(in);
     if (st != IX_OK) {
         ix__interp_free(in);
@@ -310,7 +307,7 @@ ix_status ix__queue_file(ix_interp *in, const char *name)
         st = push_script(in, rd, path);
     if (st != IX_EIO || in->opt.strict)
         return st;
-    (void)ix__at(in, in->unit, in->here);
+    ix__at(in, in->unit, in->here);
     ix__report(in, true);
     return IX_OK;
 }

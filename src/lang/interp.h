@@ -14,7 +14,6 @@
 typedef struct {
     int max_calls;       /* nested user function calls [1000] */
     unsigned long steps; /* statements and loop rounds [no limit] */
-    size_t max_coeffs;   /* control values of one object [16 M] */
     bool strict;         /* stop at the first error of any kind */
     bool check_only;     /* parse and type-check, run nothing */
     bool quiet;          /* no warnings */

@@ -178,11 +178,14 @@ ix_status ix__path_include(ix_interp *in, const char *name, const char *from,
 /* --- messages (report.c) ---------------------------------------------------
  */
 /* Where the failure just recorded in the context arose, unless a place is
- * known already. Returns the context's status, never IX_OK. */
-ix_status ix__at(ix_interp *in, ix__unit *u, ix__pos pos);
-#define IX_FAIL_AT(in, u, pos, ...)                                            \
-    ((void)IX_FAIL((in)->ctx, IX_EARG, __VA_ARGS__), ix__at((in), (u), (pos)), \
-     IX_EARG)
+ * known already. */
+void ix__at(ix_interp *in, ix__unit *u, ix__pos pos);
+/* The same, and yields the status st. */
+#define IX_AT(in, u, pos, st) (ix__at((in), (u), (pos)), (st))
+/* Records a message and its place, yields the literal IX_EARG. */
+#define IX_FAIL_AT(in, u, pos, ...)                  \
+    ((void)IX_FAIL((in)->ctx, IX_EARG, __VA_ARGS__), \
+     IX_AT((in), (u), (pos), IX_EARG))
 /* Prints the failure under way and forgets its place. */
 void ix__report(ix_interp *in, bool soft);
 /* A soft error or remark of its own at a place. */

@@ -32,7 +32,7 @@ static ix_status fail(lexer *lx, ix__pos pos, const char *text)
     if (lx->st != IX_OK)
         return lx->st;
     (void)IX_FAIL(lx->rd->in->ctx, IX_EPARSE, "%s", text);
-    lx->st = ix__at(lx->rd->in, lx->u, pos);
+    lx->st = IX_AT(lx->rd->in, lx->u, pos, IX_EPARSE);
     return lx->st;
 }
 

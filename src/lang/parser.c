@@ -59,8 +59,7 @@ static const char *token_text(const ix__token *t, char buf[80])
 static ix_status syntax(parser *p, ix__pos pos, const char *text)
 {
     (void)IX_FAIL(p->in->ctx, IX_EPARSE, "%s", text);
-    (void)ix__at(p->in, p->u, pos);
-    return IX_EPARSE;
+    return IX_AT(p->in, p->u, pos, IX_EPARSE);
 }
 
 /* The token k places ahead. */

@@ -50,7 +50,7 @@ static void trace(ix_interp *in, ix__place *p)
     p->nmore = in->nframes - p->ntrace;
 }
 
-ix_status ix__at(ix_interp *in, ix__unit *u, ix__pos pos)
+void ix__at(ix_interp *in, ix__unit *u, ix__pos pos)
 {
     ix__place *p = &in->place;
 
@@ -60,7 +60,6 @@ ix_status ix__at(ix_interp *in, ix__unit *u, ix__pos pos)
         p->pos = pos;
         trace(in, p);
     }
-    return ix_ctx_status(in->ctx) ? ix_ctx_status(in->ctx) : IX_EUNABLE;
 }
 
 static void forget(ix_interp *in)
