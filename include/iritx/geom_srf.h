@@ -241,6 +241,31 @@ ix_status ix_srf_normal_field(ix_ctx *ctx, const ix_mv *srf,
 ix_status ix_srf_normal_cone(ix_ctx *ctx, const ix_mv *srf, double axis[3],
                              double *half_angle) IX_MUST_CHECK;
 
+/* --- volumes ----------------------------------------------------------- */
+
+/* What is integrated over the surface, N = S_u x S_v, S = (x, y, z):
+ *
+ *   origin       S.N / 3: the volume of the cone over it from the origin
+ *   else         x^i y^j z^(k+1) / (k+1) N_z, (i, j, k) = power: the integral
+ *                of x^i y^j z^k over the space between it and the XY plane
+ *
+ * For a closed surface both are integrals over what it encloses (up to the
+ * sign of its orientation). */
+typedef struct {
+    bool origin;
+    int power[3]; /* 0 .. 2 each */
+} ix_volume;
+
+/* The integral. Num: polynomial exact up to rounding, rational within 1e-13.
+ * Err   IX_EARG not a surface in space, powers; IX_EDOMAIN a pole; IX_EUNABLE
+ *       a rational integral does not settle (weights near 0) */
+ix_status ix_srf_volume(ix_ctx *ctx, const ix_mv *srf, const ix_volume *what,
+                        double *out) IX_MUST_CHECK;
+/* The integral from the lower corner of the domain to (u, v), as a scalar
+ * surface; polynomial surfaces only (IX_EARG). */
+ix_status ix_srf_volume_field(ix_ctx *ctx, const ix_mv *srf,
+                              const ix_volume *what, ix_mv **out) IX_MUST_CHECK;
+
 /* --- other representations --------------------------------------------- */
 
 /* (1 - t) a + t b, control point by control point.
@@ -262,6 +287,28 @@ ix_status ix_mv_moebius(ix_ctx *ctx, const ix_mv *m, int dir, double ratio,
  * Err   IX_EARG an order or index out of range, power basis */
 ix_status ix_bsp_inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
                        const int index[2], double *out) IX_MUST_CHECK;
+
+/* --- sampling, similarity ---------------------------------------------- */
+
+/* n random parameters of a curve or surface: double[ndirs][n], uniform in the
+ * domain, or (by_measure) in arc length or area, by rejection.
+ *
+ * In    *random  state of the generator, changed
+ * Err   IX_EARG  not a curve or surface with at most 3 coordinates, n < 0;
+ *       IX_EDOMAIN a pole, or length or area is 0 */
+ix_status ix_spread(ix_ctx *ctx, const ix_mv *m, bool by_measure, int n,
+                    uint64_t *random, double *out) IX_MUST_CHECK;
+
+/* A similarity of the XY plane, x' = t + s R(angle) x. */
+typedef struct {
+    double shift[2], scale, degrees;
+} ix_similarity;
+/* Whether b is the image of a, control point by control point (projected;
+ * weights in proportion, z the same) within eps: least squares in the complex
+ * plane. *found is false also where the representations differ, or all points
+ * of a are one. Err IX_EARG fewer than two coordinates; IX_EDOMAIN weight 0 */
+ix_status ix_similar(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, double eps,
+                     bool *found, ix_similarity *out) IX_MUST_CHECK;
 
 /* --- triangular Bezier patches ----------------------------------------- */
 

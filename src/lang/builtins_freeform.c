@@ -3,9 +3,12 @@
  * of spec/functions). Nothing here changes its arguments. */
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "iritx/geom_srf.h"
 #include "lang/args_freeform.h"
+#include "lang/interp.h"
 
 /* The map of a freeform or the surface under a trimmed one. */
 static const ix_mv *shape(const ix_call *c, int i)
@@ -320,16 +323,55 @@ static ix_status shape_boundary(ix_call *c, const ix_mv *m)
 
 typedef struct {
     const double *a, *b;
+    double key; /* a.x + b.x: nearly equal for equal edges */
+    size_t index;
+    bool shared;
 } edge;
+
+/* The reference's tolerance for the identity of points (spec/model 2). */
+#define SAME_POINT 1e-6
 
 static bool same_point(const double *p, const double *q)
 {
-    /* The reference's tolerance for the identity of points (spec/model 2). */
-    return fabs(p[0] - q[0]) < 1e-6 && fabs(p[1] - q[1]) < 1e-6 &&
-           fabs(p[2] - q[2]) < 1e-6;
+    return fabs(p[0] - q[0]) < SAME_POINT && fabs(p[1] - q[1]) < SAME_POINT &&
+           fabs(p[2] - q[2]) < SAME_POINT;
 }
 
-/* Edges of polygons that no other polygon has; in scratch. */
+static bool same_edge(const edge *e, const edge *f)
+{
+    return (same_point(e->a, f->a) && same_point(e->b, f->b)) ||
+           (same_point(e->a, f->b) && same_point(e->b, f->a));
+}
+
+static int by_key(const void *p, const void *q)
+{
+    const edge *e = p, *f = q;
+
+    if (e->key != f->key)
+        return e->key < f->key ? -1 : 1;
+    return e->index < f->index ? -1 : 1;
+}
+
+static int by_index(const void *p, const void *q)
+{
+    const edge *e = p, *f = q;
+
+    return e->index < f->index ? -1 : e->index > f->index;
+}
+
+/* Pairs equal edges; equal ones have keys within twice the tolerance. */
+static void pair_edges(size_t n, edge *e)
+{
+    qsort(e, n, sizeof *e, by_key);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = i + 1;
+             j < n && !e[i].shared && e[j].key - e[i].key < 2 * SAME_POINT; j++)
+            if (!e[j].shared && same_edge(&e[i], &e[j]))
+                e[i].shared = e[j].shared = true;
+    qsort(e, n, sizeof *e, by_index);
+}
+
+/* Edges of polygons that are not shared by pairs; in scratch. */
 static ix_status free_edges(ix_ctx *ctx, const ix_poly *p, size_t *n,
                             edge **out)
 {
@@ -339,22 +381,18 @@ static ix_status free_edges(ix_ctx *ctx, const ix_poly *p, size_t *n,
     for (int i = 0; i < p->n; i++)
         total += (size_t)p->poly[i].n;
     IX_SCRATCH(ctx, e, total);
+    total = 0;
     for (int i = 0; i < p->n; i++)
-        for (int k = 0; k < p->poly[i].n; k++) {
+        for (int k = 0; k < p->poly[i].n; k++, total++) {
             const double *a = p->poly[i].v[k].p;
             const double *b = p->poly[i].v[(k + 1) % p->poly[i].n].p;
-            size_t j = 0;
 
-            IX_TRY(ix__poll(ctx));
-            while (j < m &&
-                   !((same_point(a, e[j].a) && same_point(b, e[j].b)) ||
-                     (same_point(a, e[j].b) && same_point(b, e[j].a))))
-                j++;
-            if (j < m)
-                e[j] = e[--m];
-            else
-                e[m++] = (edge){a, b};
+            e[total] = (edge){a, b, a[0] + b[0], total, false};
         }
+    pair_edges(total, e);
+    for (size_t i = 0; i < total; i++)
+        if (!e[i].shared)
+            e[m++] = e[i];
     *n = m;
     *out = e;
     return IX_OK;
@@ -393,6 +431,51 @@ static ix_status boundary(ix_call *c)
     if (o->type == IX_OBJ_TRIMSRF)
         return ix__ret_trim_curves(c, o->u.trim.item[0], false);
     return shape_boundary(c, ix__arg_mv(c, 0));
+}
+
+/* --- sampling, similarity ---------------------------------------------- */
+
+static ix_status ffptdist(ix_call *c)
+{
+    const ix_mv *m = ix__arg_mv(c, 0);
+    ix_obj *list;
+    ix_status st = IX_OK;
+    double *t;
+    int n;
+
+    IX_TRY(ix__arg_int(c, 2, 0, 10000000, &n));
+    IX_SCRATCH(c->ctx, t, (size_t)m->ndirs * (size_t)n);
+    IX_TRY(ix_spread(c->ctx, m, !ix__arg_bool(c, 1), n,
+                     &ix__states(c->in)->random, t));
+    list = ix__obj_list(c->ctx);
+    for (int i = 0; i < n && st == IX_OK; i++) {
+        double p[3] = {t[i], m->ndirs > 1 ? t[n + i] : 0, 0};
+
+        st = ix__list_add(c->ctx, list, ix__obj_point(c->ctx, p));
+    }
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status ffrigidsim(ix_call *c)
+{
+    double p[3] = {0, 0, 0};
+    ix_similarity s;
+    ix_obj *list;
+    ix_status st;
+    bool found;
+
+    IX_TRY(ix_similar(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1),
+                      ix__arg_num(c, 2), &found, &s));
+    if (!found)
+        return ix__ret_num(c, 0);
+    memcpy(p, s.shift, sizeof s.shift);
+    list = ix__obj_list(c->ctx);
+    st = ix__list_add(c->ctx, list, ix__obj_point(c->ctx, p));
+    if (st == IX_OK)
+        st = ix__list_add_num(c->ctx, list, s.scale);
+    if (st == IX_OK)
+        st = ix__list_add_num(c->ctx, list, s.degrees);
+    return ix__ret_list(c, list, st);
 }
 
 /* --- table ------------------------------------------------------------- */
@@ -452,4 +535,12 @@ const ix_builtin ix__builtins_freeform[] = {
      "surfaces of a trivariate, trimming curves on a trimmed surface, free "
      "edges of polygons.",
      S "l = boundary(s);", boundary, 0, 10},
+    {"FFPTDIST", "ff:curve|surface param:bool n:num -> list",
+     "n random parameter values as points (u, v, 0), uniform in the domain "
+     "(param) or in length or area.",
+     C "l = ffptdist(c, false, 10);", ffptdist, 0, 10},
+    {"FFRIGIDSIM", "a:curve|surface b:curve|surface eps:num -> num|list",
+     "list(translation, scale, rotation in degrees) if b is a similar copy of "
+     "a in the XY plane, else 0.",
+     C "o = ffrigidsim(c, c * rotz(30), 1e-5);", ffrigidsim, 0, 10},
     {0}};

@@ -2,6 +2,7 @@
  * they give NaN or an infinity, silently, as scripts expect. */
 #include <math.h>
 
+#include "base/random.h"
 #include "lang/interp.h"
 
 #define NUMBER_FN(name, expr)             \
@@ -35,22 +36,10 @@ NUMBER_FN2(atan2, atan2(x, y))
 NUMBER_FN2(fmod, fmod(x, y))
 NUMBER_FN2(power, pow(x, y))
 
-/* splitmix64 (Steele, Lea, Flood 2014): the state is a counter, any seed is
- * good, the sequence the same on every machine. */
-static double random_unit(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return (double)(z >> 11) * 0x1p-53;
-}
-
 static ix_status b_random(ix_call *c)
 {
     double lo = ix__arg_num(c, 0), hi = ix__arg_num(c, 1);
-    double u = random_unit(&ix__states(c->in)->random);
+    double u = ix__random_unit(&ix__states(c->in)->random);
     double v = lo * (1 - u) + hi * u;
 
     /* Rounding may reach the bound, which does not belong to the range. */

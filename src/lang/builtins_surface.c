@@ -684,6 +684,16 @@ const ix_builtin ix__builtins_surface[] = {
     {"NRMLCONE", "s:surface -> list",
      "Axis and half angle (radians) of a cone that holds all normals.",
      S "l = nrmlcone(s);", ix__prim_nrmlcone, 0, 13},
+    {"SVOLUME", "s:surface method:num eval:bool -> num|surface",
+     "Volume between the surface and the XY plane (1) or the origin (2), "
+     "signed "
+     "by its orientation; without eval the integral as a surface.",
+     S "d = svolume(s, 1, true);", ix__prim_svolume, 0, 13},
+    {"SMOMENTS",
+     "s:surface order:num axis1:num axis2:num eval:bool -> num|surface",
+     "First moment (order 1, axis1) or second moment (order 2, axis1 and "
+     "axis2) of the space between the surface and the XY plane; axes 1, 2, 3.",
+     S "d = smoments(s, 1, 1, 1, true);", ix__prim_smoments, 0, 13},
 
     {"TRIMSRF", "s:surface curves:curve|list hasUpper:bool -> trimsrf",
      "Surface trimmed by closed curves in its (u, v) plane; without hasUpper "

@@ -111,3 +111,39 @@ ix_status ix__prim_nrmlcone(ix_call *c)
         st = ix__list_add_num(c->ctx, list, angle);
     return ix__ret_list(c, list, st);
 }
+
+/* The integral as a number, or as a scalar surface. */
+static ix_status integrate(ix_call *c, const ix_volume *what, bool eval)
+{
+    double v;
+    ix_mv *out;
+
+    if (eval) {
+        IX_TRY(ix_srf_volume(c->ctx, ix__arg_mv(c, 0), what, &v));
+        return ix__ret_num(c, v);
+    }
+    IX_TRY(ix_srf_volume_field(c->ctx, ix__arg_mv(c, 0), what, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+ix_status ix__prim_svolume(ix_call *c)
+{
+    int method;
+
+    IX_TRY(ix__arg_int(c, 1, 1, 2, &method));
+    return integrate(c, &(ix_volume){.origin = method == 2},
+                     ix__arg_bool(c, 2));
+}
+
+ix_status ix__prim_smoments(ix_call *c)
+{
+    ix_volume what = {.origin = false};
+    int order, axis;
+
+    IX_TRY(ix__arg_int(c, 1, 1, 2, &order));
+    for (int k = 0; k < order; k++) {
+        IX_TRY(ix__arg_int(c, 2 + k, 1, 3, &axis));
+        what.power[axis - 1]++;
+    }
+    return integrate(c, &what, ix__arg_bool(c, 4));
+}

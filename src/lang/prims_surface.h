@@ -14,6 +14,8 @@ ix_status ix__prim_snormal(ix_call *c);  /* (s, u, v) */
 ix_status ix__prim_snrmlsrf(ix_call *c); /* (s) */
 ix_status ix__prim_stangent(ix_call *c); /* (s, dir, u, v, normalize) */
 ix_status ix__prim_nrmlcone(ix_call *c); /* (s) */
+ix_status ix__prim_svolume(ix_call *c);  /* (s, method, eval) */
+ix_status ix__prim_smoments(ix_call *c); /* (s, order, axis1, axis2, eval) */
 
 /* prims_trim.c */
 ix_status ix__prim_trimsrf(ix_call *c);  /* (s, curves, has_upper) */
