@@ -12,9 +12,9 @@
 #define GROWTH 0u
 #else
 #define CHUNK  65536u
-#define GROWTH 2u
+#define GROWTH 4u
 #endif
-#define MOST ((size_t)1 << 26)
+#define MOST ((size_t)1 << 24)
 
 struct ix__chunk {
     ix__chunk *prev;
@@ -54,7 +54,7 @@ void ix__scratch_release(ix_ctx *ctx, ix_mark mk)
         ctx->scratch->used = mk.used;
 }
 
-/* Chunks double in size: then large work takes few of them, and the system's
+/* Chunks grow fourfold: then large work takes few of them, and the system's
  * allocator keeps the memory from one operation to the next (it gives back
  * what exceeds twice its largest block). */
 static size_t chunk_size(const ix_ctx *ctx, size_t need)

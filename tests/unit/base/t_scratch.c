@@ -78,9 +78,9 @@ static ix_status nested(ix_ctx *ctx, void *state)
 {
     double *p;
 
-    (void)state;
-    for (int i = 1; i <= 4; i++)
-        IX_SCRATCH(ctx, p, 20000 * i);
+    (void)state; /* chunks grow fourfold: each request needs a new one */
+    for (int n = 20000; n <= 2500000; n *= 5)
+        IX_SCRATCH(ctx, p, n);
     return IX_OK;
 }
 
