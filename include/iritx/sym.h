@@ -6,7 +6,13 @@
  * has the least degree and the highest continuity that the formula itself
  * guarantees: at a breakpoint where the operands are C^c the result of order
  * K gets a knot of multiplicity K - 1 - c (none if c >= K - 1). Bezier
- * operands give a Bezier result. */
+ * operands give a Bezier result; float and periodic ones an open result.
+ *
+ * Operands are borrowed, results are new references, NULL unless IX_OK. Errors
+ * of every function: IX_EARG numbers of directions that differ, IX_EDOMAIN a
+ * coefficient of the result is beyond the range of doubles, IX_EUNABLE an
+ * order above IX_MAX_ORDER. Large work is shared out to the context's threads;
+ * the bits do not depend on their number. */
 #ifndef IRITX_SYM_H
 #define IRITX_SYM_H
 
@@ -23,7 +29,10 @@ typedef struct {
     int reserved;
 } ix_sym_opts;
 
-/* a + b, a - b. Rational with different weights: common denominator. */
+/* a + b, a - b. Rational with different weights: common denominator; weights
+ * that agree within 1e-5 of the largest are taken to be equal, a's are kept,
+ * and a remark says so if they differ by more than rounding. Operands written
+ * alike are added point by point and keep their knots. */
 ix_status ix_sym_add(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                      const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
 ix_status ix_sym_sub(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
@@ -31,7 +40,7 @@ ix_status ix_sym_sub(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
 /* Coordinate by coordinate product (weights too). */
 ix_status ix_sym_mul(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                      const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
-/* Every coordinate of a times the scalar s. */
+/* Every coordinate of a times the scalar s. Err IX_EARG s has more. */
 ix_status ix_sym_scale(ix_ctx *ctx, const ix_mv *a, const ix_mv *s,
                        const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
 /* Scalar product; E1 or P1. */
@@ -44,24 +53,29 @@ ix_status ix_sym_dot_vector(ix_ctx *ctx, const ix_mv *a, const double *v,
  * IX_EARG more than 3 coordinates. */
 ix_status ix_sym_cross(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                        const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
-/* det(a, b, c) of three vector multivariates with 3 coordinates. */
+/* det(a, b, c) of three vector multivariates with 3 coordinates. Err IX_EARG
+ * other numbers of coordinates. */
 ix_status ix_sym_triple(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                         const ix_mv *c, const ix_sym_opts *o,
                         ix_mv **out) IX_MUST_CHECK;
-/* Determinant of n rows, each a polynomial multivariate with n coordinates. */
+/* Determinant of n rows, each a polynomial multivariate with n coordinates;
+ * sub-minors are shared, so that n = 6 costs 186 products. Err IX_EARG a row
+ * is rational or has other coordinates. */
 ix_status ix_sym_det(ix_ctx *ctx, int n, const ix_mv *const *rows,
                      const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
 /* The n+1 signed maximal minors of n polynomial rows with n+1 coordinates:
- * (-1)^j det(rows without column j); orthogonal to every row. */
+ * (-1)^j det(rows without column j); orthogonal to every row. Err as above. */
 ix_status ix_sym_minors(ix_ctx *ctx, int n, const ix_mv *const *rows,
                         const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
-/* Each coordinate of a over the scalar b (a rational result). */
+/* Each coordinate of a over the scalar b (a rational result). Err IX_EARG b
+ * has more coordinates; IX_EDOMAIN b is zero everywhere. */
 ix_status ix_sym_div(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                      const ix_sym_opts *o, ix_mv **out) IX_MUST_CHECK;
-/* 1 / a of a scalar. */
+/* 1 / a of a scalar, same knots. Err as ix_sym_div. */
 ix_status ix_sym_invert(ix_ctx *ctx, const ix_mv *a, ix_mv **out) IX_MUST_CHECK;
 
-/* d/dt in one direction. Rational: the true derivative
+/* d/dt in one direction. Polynomials stay in their basis, float ones float
+ * (periodic ones become float). Rational: the true derivative
  * (X'W - XW')/W^2, degree 2d for degree d as the quotient rule gives it.
  * Order 1 gives zeros of order 1. */
 ix_status ix_sym_derive(ix_ctx *ctx, const ix_mv *a, int dir,
@@ -88,9 +102,11 @@ typedef struct {
     int factors;   /* degree of the common factor divided out */
 } ix_reduce_report;
 /* The same map in lower degree where that is possible within tol (relative to
- * the largest control value; 0 means 1e-12): vanishing leading coefficients
- * dropped, a common factor of all numerators and the weight divided out,
- * knots that are not needed removed. rep may be NULL. */
+ * the largest control value, of weights and of coordinates apart; 0 means
+ * 1e-12): vanishing leading coefficients dropped, a factor in one direction
+ * that all numerators and the weight have in common divided out, knots that
+ * are not needed removed. Every step is checked by undoing it. If there is
+ * nothing to do the result is a itself. rep may be NULL. Err IX_EARG tol < 0. */
 ix_status ix_sym_reduce(ix_ctx *ctx, const ix_mv *a, double tol,
                         ix_reduce_report *rep, ix_mv **out) IX_MUST_CHECK;
 

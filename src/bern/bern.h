@@ -97,6 +97,11 @@ void ix__bern_conv_spans(size_t n, int p, const double *a, int q,
 void ix__bern_conv_sparse(int na, const double *a, const int *off, int nb,
                           const double *b, int nout, double *out);
 
+/* The largest |x[i]|, NaNs left out, 0 if there is none; whether no x[i] is
+ * infinite or NaN. */
+double ix__bern_largest(size_t n, const double *x);
+bool ix__bern_finite(size_t n, const double *x);
+
 /* out[i] = sum over j < k of f[j] x[j][i], 0 <= i < n. */
 void ix__bern_combine(size_t n, int k, const double *f, const double *const *x,
                       double *out);

@@ -102,12 +102,75 @@ IX__CLONES static void conv_spans(size_t n, int p, const double *a, int q,
     }
 }
 
+/* Degrees known when compiled, p <= q <= SMALL: all coefficients stay in
+ * registers; the terms of each in the order of a, as above. */
+enum { SMALL = 6 };
+
+IX__INLINE void conv_fixed(size_t n, const int p, const double *a, const int q,
+                           const double *b, ix__into into, double *out)
+{
+    for (size_t s = 0; s < n; s++) {
+        double acc[2 * SMALL + 1] = {0};
+
+#pragma GCC unroll 7
+        for (int i = 0; i <= p; i++)
+#pragma GCC unroll 7
+            for (int j = 0; j <= q; j++)
+                acc[i + j] += a[i] * b[j];
+        put(p + q + 1, acc, into, out);
+        a += p + 1;
+        b += q + 1;
+        out += p + q + 1;
+    }
+}
+
+#define FIXED(p, q)                           \
+    case (p) * (SMALL + 1) + (q):             \
+        conv_fixed(n, p, a, q, b, into, out); \
+        return true
+
+/* False if there is no such kernel. */
+static bool conv_small(size_t n, int p, const double *a, int q, const double *b,
+                       ix__into into, double *out)
+{
+    if (q > SMALL)
+        return false;
+    switch (p * (SMALL + 1) + q) {
+        FIXED(1, 1);
+        FIXED(1, 2);
+        FIXED(1, 3);
+        FIXED(1, 4);
+        FIXED(1, 5);
+        FIXED(1, 6);
+        FIXED(2, 2);
+        FIXED(2, 3);
+        FIXED(2, 4);
+        FIXED(2, 5);
+        FIXED(2, 6);
+        FIXED(3, 3);
+        FIXED(3, 4);
+        FIXED(3, 5);
+        FIXED(3, 6);
+        FIXED(4, 4);
+        FIXED(4, 5);
+        FIXED(4, 6);
+        FIXED(5, 5);
+        FIXED(5, 6);
+        FIXED(6, 6);
+    default:
+        return false;
+    }
+}
+
 void ix__bern_conv_spans(size_t n, int p, const double *a, int q,
                          const double *b, ix__into into, double *work,
                          double *out)
 {
     int m = p > q ? p : q;
 
+    if (p <= q ? conv_small(n, p, a, q, b, into, out)
+               : conv_small(n, q, b, p, a, into, out))
+        return;
     memset(work, 0, (size_t)(m + 1 + 2 * IX__BERN_PAD) * sizeof *work);
     if (p <= q)
         conv_spans(n, p, a, q, b, into, work + IX__BERN_PAD, out);

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bern/bern.h"
 #include "iritx/ops.h"
 #include "ops/lift.h"
 #include "sym/outer.h"
@@ -139,7 +140,7 @@ static ix_status check_same(ix_ctx *ctx, const ix_mv *const *c, const pair *p,
 static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
                               const double *w, double size)
 {
-    double big = ix__largest(n, w);
+    double big = ix__bern_largest(n, w);
 
     if (!(big > p->band * size))
         return IX_FAIL(ctx, IX_EDOMAIN,
@@ -160,11 +161,11 @@ static void finish(const ix_frame *frame, size_t n, double *pts)
 
     for (size_t i = 0; i < n; i++)
         sum += pts[i];
-    (void)frexp(ix__largest(n, pts), &e);
+    (void)frexp(ix__bern_largest(n, pts), &e);
     f = ldexp(sum < 0.0 ? -1.0 : 1.0, -e);
-    for (size_t i = 0; i < 4 * n; i++)
+    for (size_t i = 0; i < n; i++)
         pts[i] *= f;
-    ix__frame_back(frame, n, pts, pts + n);
+    ix__frame_back(frame, f, n, pts, pts + n);
 }
 
 /* The degree that a form of the result asks for, given the minimal one. */
@@ -200,6 +201,17 @@ static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c,
     return IX_OK;
 }
 
+/* The points of s, whose directions are those of the sum. */
+static ix_status fill(ix_ctx *ctx, const pair *p, const ix_outer *sum, ix_mv *s)
+{
+    double size[4];
+
+    IX_TRY(ix__outer_points(ctx, sum, s->dirs, s->pts, size));
+    IX_TRY(check_weight(ctx, p, s->npts, s->pts, size[0]));
+    finish(&p->frame, s->npts, s->pts);
+    return ix__check_finite(ctx, 4 * s->npts, s->pts);
+}
+
 static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
                        ix_mv **out)
 {
@@ -207,10 +219,9 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
     ix_sym_opts so = {o ? o->max_cont : INT_MAX, 0};
     ix_outer sum = {.nrows = 4, .nterms = NTERMS, .terms = terms};
     ix_dir dirs[2];
-    double *pts, size[4];
-    size_t n;
+    ix_status st;
     pair p;
-    ix_mv *m;
+    ix_mv *s;
 
     if (o && o->form == IX_FORM_IRIT)
         so.max_cont = 0;
@@ -222,14 +233,14 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
     make_terms(terms);
     sum.u = &p.minors[0];
     sum.v = &p.minors[1];
-    IX_TRY(ix__outer_points(ctx, &sum, &so, dirs, &pts, size));
-    n = (size_t)dirs[0].length * (size_t)dirs[1].length;
-    IX_TRY(check_weight(ctx, &p, n, pts, size[0]));
-    finish(&p.frame, n, pts);
-    IX_TRY(ix__check_finite(ctx, 4 * n, pts));
-    IX_TRY(ix__mv_alloc(ctx, 2, dirs, 3, true, &m));
-    memcpy(m->pts, pts, 4 * n * sizeof *pts);
-    *out = m;
+    IX_TRY(ix__outer_dirs(ctx, &sum, &so, dirs));
+    IX_TRY(ix__mv_alloc(ctx, 2, dirs, 3, true, &s));
+    st = fill(ctx, &p, &sum, s);
+    if (st != IX_OK) {
+        ix_mv_unref(ctx, s);
+        return st;
+    }
+    *out = s;
     return IX_OK;
 }
 
@@ -282,7 +293,7 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
     *rep = (ix_report){.form = o ? o->form : IX_FORM_MINIMAL, .ndirs = 2};
     rep->orders[0] = ix_mv_order(s, 0);
     rep->orders[1] = ix_mv_order(s, 1);
-    rep->residual = NAN;
+    rep->residual = (double)NAN;
     rep->how = "equidistance on a 5 x 5 grid, relative to distance or size";
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
     ix_mv_domain(s, 0, a);

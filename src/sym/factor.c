@@ -153,7 +153,7 @@ static ix_status functionals(ix_ctx *ctx, const ix__bundle *b,
     ix__dense_qr(n, n, at, tau);
     *count = 0;
     if (ix__dense_smallest(n, n, at, s) >
-        PROPOSE * sqrt(n) * ix__largest(ln * ln, a))
+        PROPOSE * sqrt(n) * ix__bern_largest(ln * ln, a))
         return IX_OK;
     for (size_t j = 0; j < ln; j++) /* R alone has the right vectors */
         for (size_t i = j + 1; i < ln; i++)

@@ -67,10 +67,12 @@ typedef struct {
  * weight 0 aside). Err IX_EDOMAIN all weights are zero. */
 ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m,
                        ix_frame *out) IX_MUST_CHECK;
-/* Values of the frame back to the user's: x = w shift + x' 2^exp, in place on
- * axes double[1 + ncoords][n], weights first (w NULL stands for 1 and then
- * there are ncoords axes). */
-void ix__frame_back(const ix_frame *f, size_t n, const double *w, double *x);
+/* Values of the frame back to the user's: x = w shift + factor x' 2^exp, in
+ * place on double[ncoords][n]; w double[n] are their weights, NULL stands for
+ * 1. (A result whose weights were multiplied by factor, a power of two, gets
+ * it on its coordinates here.) */
+void ix__frame_back(const ix_frame *f, double factor, size_t n, const double *w,
+                    double *x);
 
 /* --- in and out --------------------------------------------------------- */
 
@@ -210,9 +212,6 @@ ix_status ix__form_minors(ix_ctx *ctx, int n, const ix_form *const *m,
                           ix_form *out) IX_MUST_CHECK;
 
 /* --- asking --------------------------------------------------------------- */
-
-/* The largest |x[i]|, 0 for n = 0. */
-double ix__largest(size_t n, const double *x);
 
 /* All rows at t[ndirs] (inside the domain): out[nrows]. */
 void ix__form_eval(const ix_form *f, const double *t, double *out);

@@ -287,20 +287,11 @@ void ix__form_eval(const ix_form *f, const double *t, double *out)
                        f->exp);
 }
 
-double ix__largest(size_t n, const double *x)
-{
-    double big = 0.0;
-
-    for (size_t i = 0; i < n; i++)
-        big = fabs(x[i]) > big ? fabs(x[i]) : big;
-    return big;
-}
-
 ix_status ix__form_bound(ix_ctx *ctx, const ix_form *f, double *out)
 {
     const double *x;
 
     IX_TRY(ix__form_bernstein(ctx, f, &x));
-    *out = ix__largest((size_t)f->nrows * f->n, x);
+    *out = ix__bern_largest((size_t)f->nrows * f->n, x);
     return IX_OK;
 }

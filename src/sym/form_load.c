@@ -137,7 +137,7 @@ static int exponent_of(size_t n, const double *x)
 {
     int e = 0;
 
-    (void)frexp(ix__largest(n, x), &e);
+    (void)frexp(ix__bern_largest(n, x), &e);
     return e;
 }
 

@@ -10,7 +10,7 @@
 #include "sym/form_impl.h"
 
 /* Chunks of patches, each with its own room; enough for any pool. */
-#define MAX_CHUNKS 256
+#define MAX_CHUNKS 64
 #define CHUNK_NS   20000.0
 
 /* One form's patches: where the k-th coefficient of a patch stands, counted
@@ -232,9 +232,21 @@ static ix_status map_patches(ix_ctx *ctx, const ix_form *a, const ix_form *b,
  * ----------------------------------------------------------------
  */
 
+/* Cost of one term on one patch in nanoseconds: a third of its products, and
+ * some. */
+static double patch_cost(const ix_form *a, const ix_form *b)
+{
+    double ns = 1.0;
+
+    for (int i = 0; i < a->ndirs; i++)
+        ns *= (a->dirs[i].degree + 1) * (b->dirs[i].degree + 1);
+    return ns * (1.0 / 3) + 10;
+}
+
+/* Chunks of a row whose n patches cost ns each. */
 static size_t chunks_of(size_t n, double ns)
 {
-    double c = (double)n * ns / CHUNK_NS;
+    double c = (double)n * ns * (1.0 / CHUNK_NS);
 
     if (c > MAX_CHUNKS)
         c = MAX_CHUNKS;
@@ -257,16 +269,6 @@ static ix_status index_terms(ix_ctx *ctx, int nrows, int nterms,
     return IX_OK;
 }
 
-/* Cost of one term on one patch: a third of its products, and some. */
-static double patch_cost(const ix_form *a, const ix_form *b)
-{
-    double ns = 1.0;
-
-    for (int i = 0; i < a->ndirs; i++)
-        ns *= (a->dirs[i].degree + 1.0) * (b->dirs[i].degree + 1.0);
-    return ns / 3 + 10;
-}
-
 /* The rows of res, of the product's degrees, from terms sorted by row. */
 static ix_status multiply(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                           int nterms, const ix_form_term *terms, bool add,
@@ -274,12 +276,12 @@ static ix_status multiply(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 {
     product w = {.res = res, .terms = terms, .add = add, .npatches = 1};
     int p = a->dirs[0].degree, q = b->dirs[0].degree;
-    double ns = patch_cost(a, b) * nterms / res->nrows;
+    double ns = patch_cost(a, b) * nterms; /* a patch of all rows */
     size_t items;
 
     for (int i = 0; i < a->ndirs; i++)
         w.npatches *= (size_t)a->dirs[i].nspans;
-    w.nchunks = chunks_of(w.npatches, ns);
+    w.nchunks = w.npatches > 1 ? chunks_of(w.npatches, ns) : 1;
     items = w.nchunks * (size_t)res->nrows;
     IX_TRY(index_terms(ctx, res->nrows, nterms, terms, &w.first));
     w.a.f = a;
@@ -288,7 +290,7 @@ static ix_status multiply(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     if (a->ndirs > 1)
         IX_TRY(map_patches(ctx, a, b, &w));
     IX_SCRATCH(ctx, w.work, items * w.room);
-    ix__parallel(ctx, items, ns * (double)w.npatches / (double)w.nchunks,
+    ix__parallel(ctx, items, ns * (double)w.npatches / (double)items,
                  a->ndirs == 1 ? mul_spans : mul_patches, &w);
     return ix__poll(ctx);
 }

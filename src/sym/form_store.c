@@ -1,7 +1,6 @@
 /* form_store.c - Bernstein and scaled coefficients; a form to a multivariate:
  * one composition, direction by direction, with the knots that the known
  * continuity allows. */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -146,11 +145,7 @@ ix_status ix__form_points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
 
 ix_status ix__check_finite(ix_ctx *ctx, size_t n, const double *x)
 {
-    bool ok = true;
-
-    for (size_t i = 0; i < n; i++)
-        ok &= fabs(x[i]) <= DBL_MAX;
-    if (!ok)
+    if (!ix__bern_finite(n, x))
         return IX_FAIL(ctx, IX_EDOMAIN,
                        "a coefficient of the result overflows");
     return IX_OK;

@@ -56,9 +56,10 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
     return IX_OK;
 }
 
-void ix__frame_back(const ix_frame *f, size_t n, const double *w, double *x)
+void ix__frame_back(const ix_frame *f, double factor, size_t n, const double *w,
+                    double *x)
 {
-    const double scale = ldexp(1.0, f->exp);
+    const double scale = ldexp(factor, f->exp);
 
     for (int k = 0; k < f->ncoords; k++, x += n)
         for (size_t i = 0; i < n; i++)

@@ -25,13 +25,16 @@ typedef struct {
     const ix_outer_term *terms;
 } ix_outer;
 
-/* The directions of u, then those of v (knots in scratch), and the control
- * points double[nrows][points of v][points of u] in scratch. size, if not
- * NULL, receives for each row a bound of its terms, the sum of
- * |coef| max |u_i| max |v_j|, against which cancellation can be judged. */
-ix_status ix__outer_points(ix_ctx *ctx, const ix_outer *f, const ix_sym_opts *o,
-                           ix_dir *dirs, double **pts,
-                           double *size) IX_MUST_CHECK;
+/* The directions of the result: those of u, then those of v; knots in
+ * scratch. */
+ix_status ix__outer_dirs(ix_ctx *ctx, const ix_outer *f, const ix_sym_opts *o,
+                         ix_dir *dirs) IX_MUST_CHECK;
+
+/* The control points double[nrows][points of v][points of u] into pts. size,
+ * if not NULL, receives for each row a bound of its terms, the sum of |coef|
+ * max |u_i| max |v_j|, against which cancellation can be judged. */
+ix_status ix__outer_points(ix_ctx *ctx, const ix_outer *f, const ix_dir *dirs,
+                           double *pts, double *size) IX_MUST_CHECK;
 
 /* Value of all rows without any grid: s[u's directions], t[v's directions]. */
 ix_status ix__outer_eval(ix_ctx *ctx, const ix_outer *f, const double *s,

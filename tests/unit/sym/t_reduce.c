@@ -153,7 +153,8 @@ static void extremes(void **state)
     assert_true(rep.degrees == 0 && rep.factors == 0 && rep.change == 0);
     ix_mv_unref(w->ctx, out);
     assert_int_equal(ix_sym_reduce(w->ctx, m, -1, NULL, &out), IX_EARG);
-    assert_int_equal(ix_sym_reduce(w->ctx, m, NAN, NULL, &out), IX_EARG);
+    assert_int_equal(ix_sym_reduce(w->ctx, m, (double)NAN, NULL, &out),
+                     IX_EARG);
     assert_null(out);
     ix_mv_unref(w->ctx, m);
     ASSERT_OK(w->ctx, ix_mv_new(w->ctx, 1, &d, 2, true, pts, &m));
