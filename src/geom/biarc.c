@@ -50,7 +50,7 @@ static double distance(const biarcs *b, int span, double t0, double t1,
     double arm[2] = {a->q[0] - a->p[0], a->q[1] - a->p[1]};
     double chord[2] = {a->r[0] - a->p[0], a->r[1] - a->p[1]};
     double len = hypot(arm[0], arm[1]), n[2] = {-arm[1] / len, arm[0] / len};
-    double k = 2 * dot2(n, chord) / dot2(chord, chord), least = INFINITY, h;
+    double k = 2 * dot2(n, chord) / dot2(chord, chord), least = HUGE_VAL, h;
     double *w = b->rel, *sq = b->work, *work = sq + 2 * d + 1;
 
     ix__path_restrict(p, span, t0, t1, b->crv);
@@ -81,7 +81,7 @@ static bool monotone(const biarcs *b, int span, double t0, double t1,
                      const double v[2])
 {
     int m = b->p->degree + 1, c = b->p->rational ? 1 : 0;
-    double last = -INFINITY;
+    double last = -HUGE_VAL;
 
     ix__path_restrict(b->p, span, t0, t1, b->crv);
     for (int i = 0; i < m; i++) {
@@ -169,20 +169,20 @@ static bool make_biarc(const biarcs *b, int span, arc c[2])
     return c[0].w >= b->least_w && c[1].w >= b->least_w;
 }
 
-/* Distance of the biarc of the interval, INFINITY if there is none. */
+/* Distance of the biarc of the interval, infinity if there is none. */
 static double try_biarc(const biarcs *b, int span, arc c[2])
 {
     double v[2], tj[2], t;
 
     if (!make_biarc(b, span, c))
-        return INFINITY;
+        return HUGE_VAL;
     for (int k = 0; k < 2; k++) {
         v[k] = c[1].r[k] - c[0].p[k];
         tj[k] = c[1].q[k] - c[0].q[k];
     }
     if (!monotone(b, span, c[0].t0, c[1].t1, v) ||
         !cross_joint(b, span, c[0].t0, c[1].t1, c[0].r, tj, &t))
-        return INFINITY;
+        return HUGE_VAL;
     c[0].t1 = c[1].t0 = t;
     return fmax(distance(b, span, c[0].t0, t, &c[0]),
                 distance(b, span, t, c[1].t1, &c[1]));

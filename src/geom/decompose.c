@@ -147,7 +147,7 @@ static ix_status outer(ix_ctx *ctx, problem *pr, equation *e, double *rest)
     *rest = sqrt(sum / rows);
     st = ix__band_solve(ctx, &band, pr->f);
     if (st == IX_EDOMAIN)
-        *rest = INFINITY;
+        *rest = HUGE_VAL;
     return st == IX_EDOMAIN ? IX_OK : st;
 }
 

@@ -102,7 +102,7 @@ static void project_all(cloud *c, const ix_path *p)
             ix__path_derivs(p, s, x[0], 0, x + 1);
         }
     for (int i = 0; i < c->n; i++) {
-        double best = INFINITY, t = 0;
+        double best = HUGE_VAL, t = 0;
 
         for (int j = 0; j < m; j++) {
             const double *x = c->probe + j * (c->nc + 1);
@@ -302,7 +302,7 @@ ix_status ix_fit_cloud(ix_ctx *ctx, int n, int ncoords, const double *pts,
                        ix_mv **out)
 {
     cloud c = {.o = o, .n = n, .nc = ncoords, .pts = pts};
-    progress g = {.least = INFINITY};
+    progress g = {.least = HUGE_VAL};
     ix_mark mk;
     ix_status st;
 

@@ -53,7 +53,7 @@ static double error(const fit *f, int span, const piece *c)
 {
     const ix_path *p = f->p;
     int d = p->degree, k = f->order - 1, e = p->rational ? d + k : d;
-    double least = INFINITY, *x = f->curve + (p->rational ? d + 1 : 0);
+    double least = HUGE_VAL, *x = f->curve + (p->rational ? d + 1 : 0);
 
     if (e < k)
         e = k;

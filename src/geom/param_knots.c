@@ -61,7 +61,7 @@ static void de_boor(int order, int length, const double *tau, double *knots)
                                          : (tau[i - 1] + tau[i]) / 2;
 }
 
-/* Norm of the inverse of the collocation matrix, INFINITY if it is singular.
+/* Norm of the inverse of the collocation matrix, infinity if it is singular.
  * The matrix is totally positive (Karlin 1968), so the signs of its inverse
  * alternate and the norm is attained for alternating data. */
 static ix_status inverse_norm(ix_ctx *ctx, const ix_dir *dir, const double *tau,
@@ -87,7 +87,7 @@ static ix_status inverse_norm(ix_ctx *ctx, const ix_dir *dir, const double *tau,
     for (int i = 0; st == IX_OK && i < n; i++)
         *norm = fmax(*norm, fabs(x[i]));
     if (st == IX_EDOMAIN)
-        *norm = INFINITY;
+        *norm = HUGE_VAL;
     return st == IX_EDOMAIN ? IX_OK : st;
 }
 
@@ -96,7 +96,7 @@ static ix_status choose(ix_ctx *ctx, int order, int length, const double *tau,
 {
     ix_dir dir = {
         .basis = IX_BSPLINE, .order = order, .length = length, .knots = knots};
-    double norm = INFINITY;
+    double norm = HUGE_VAL;
 
     if (order > 1 && tau[0] < tau[length - 1]) {
         stretched(order, length, tau, knots);

@@ -94,8 +94,8 @@ static void angle_arcs(void **state)
         double dom[2], p[3], last = 0, turn = 0;
         ix_mv *m;
 
-        ASSERT_OK(ctx, ix_arc_angles(ctx, center, 2, angles[k][0],
-                                     angles[k][1], &m));
+        ASSERT_OK(
+            ctx, ix_arc_angles(ctx, center, 2, angles[k][0], angles[k][1], &m));
         check_radius(ctx, m, 2, 1e-15);
         ix_mv_domain(m, 0, dom);
         ASSERT_CLOSE(dom[1], angles[k][2] < 160 ? 1 : 2, 0);
@@ -143,7 +143,7 @@ static void hermite_has_its_ends(void **state)
 static void errors(void **state)
 {
     const double zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, mx[3] = {-1, 0, 0},
-                 bad[3] = {NAN, 0, 0};
+                 bad[3] = {(double)NAN, 0, 0};
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
     double c[3];
     ix_mv *m;
@@ -153,14 +153,14 @@ static void errors(void **state)
     assert_null(m);
     assert_int_equal(ix_circle(ctx, bad, 1, &m), IX_EARG);
     assert_int_equal(ix_pcircle(ctx, zero, -1, &m), IX_EARG);
-    assert_int_equal(ix_pcircle(ctx, zero, NAN, &m), IX_EARG);
+    assert_int_equal(ix_pcircle(ctx, zero, (double)NAN, &m), IX_EARG);
     assert_int_equal(ix_arc(ctx, x, zero, mx, &m), IX_EDOMAIN);
     assert_non_null(strstr(ix_ctx_message(ctx), "180 degrees"));
     assert_int_equal(ix_arc(ctx, x, zero, x, &m), IX_EDOMAIN);
     assert_int_equal(ix_arc(ctx, zero, zero, x, &m), IX_EARG);
     assert_int_equal(ix_arc_angles(ctx, zero, 1, 10, 370, &m), IX_EARG);
     assert_int_equal(ix_arc_angles(ctx, zero, 1, 10, 10, &m), IX_EARG);
-    assert_int_equal(ix_arc_angles(ctx, zero, 1, 0, INFINITY, &m), IX_EARG);
+    assert_int_equal(ix_arc_angles(ctx, zero, 1, 0, HUGE_VAL, &m), IX_EARG);
     assert_null(m);
     ASSERT_OK(ctx, ix_hermite(ctx, zero, x, x, x, &m));
     assert_false(ix_arc_center(m, c));

@@ -11,7 +11,7 @@ static const double origin[3] = {0, 0, 0};
 /* Distance of p from the piece's nearest point, by search and refinement. */
 static double nearest(ix_ctx *ctx, const ix_mv *m, const double *p)
 {
-    double best = INFINITY, at = 0, q[18], width = 1.0 / 32;
+    double best = HUGE_VAL, at = 0, q[18], width = 1.0 / 32;
 
     for (int round = 0; round < 8; round++) {
         double from = at, step = width / (round ? 4 : 1);
@@ -139,7 +139,8 @@ static void exact_and_limited(void **state)
     ix_crvs_free(ctx, &ps);
     assert_int_equal(ix_fit_pieces(ctx, c, 5, 1e-3, 0, NULL, &ps), IX_EARG);
     assert_int_equal(ix_fit_pieces(ctx, c, 3, 0, 0, NULL, &ps), IX_EARG);
-    assert_int_equal(ix_fit_pieces(ctx, c, 3, NAN, 0, NULL, &ps), IX_EARG);
+    assert_int_equal(ix_fit_pieces(ctx, c, 3, (double)NAN, 0, NULL, &ps),
+                     IX_EARG);
     ix_mv_unref(ctx, c);
     ix_ctx_free(ctx);
 }

@@ -310,7 +310,7 @@ static void errors(void **state)
 {
     const double x[6] = {0, 1, 2, 3, 4, 5}, same[3] = {1, 1, 1};
     const double kv[5] = {0, 0, 1, 1, 1}, down[6] = {0, 2, 1, 3, 4, 5};
-    const double bad[3] = {0, NAN, 1};
+    const double bad[3] = {0, (double)NAN, 1};
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
     ix_interpolate_opts o = {.order = 4};
     double t[3], kvs[8], err;

@@ -91,7 +91,7 @@ static void moebius_keeps_the_shape(void **state)
 static void set_point(void **state)
 {
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
-    const double pt[4] = {2, 1, 1, 1}, bad[4] = {1, NAN, 0, 0};
+    const double pt[4] = {2, 1, 1, 1}, bad[4] = {1, (double)NAN, 0, 0};
     ix_mv *c, *m;
 
     (void)state;
