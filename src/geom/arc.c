@@ -12,13 +12,16 @@ ix_status ix_arc(ix_ctx *ctx, const double start[3], const double center[3],
                  const double end[3], ix_mv **out)
 {
     const ix_dir dir = {.basis = IX_BEZIER, .order = 3, .length = 3};
-    double u[3], v[3], un[3], vn[3], sum[3], diff[3], c, s, pts[4][3];
+    double u[3], v[3], un[3] = {0}, vn[3] = {0}, sum[3], diff[3], c, s,
+                       pts[4][3];
 
     *out = NULL;
     ix__sub3(start, center, u);
     ix__sub3(end, center, v);
     if (!(ix__unit3(u, un) > 0) || !(ix__unit3(v, vn) > 0))
         return IX_FAIL(ctx, IX_EARG, "an end of the arc is its center");
+    if (!(isfinite(ix__len3(u)) && isfinite(ix__len3(v))))
+        return IX_FAIL(ctx, IX_EARG, "points that are not finite");
     for (int i = 0; i < 3; i++) {
         sum[i] = (un[i] + vn[i]) / 2;
         diff[i] = (un[i] - vn[i]) / 2;

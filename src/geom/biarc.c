@@ -24,7 +24,8 @@ typedef struct {
 } arc;
 
 typedef struct {
-    const ix_path *p;
+    ix_path path;
+    const ix_path *p;    /* it */
     double tol, least_w; /* cosine of half the largest angle */
     double *crv;         /* [naxes][d + 1] of the interval */
     double *rel;         /* [3][d + 1]: w, x - w p_x, y - w p_y */
@@ -350,23 +351,23 @@ static ix_status height(ix_ctx *ctx, const ix_path *p, double *z)
 
 static ix_status biarc(ix_ctx *ctx, const ix_mv *crv, biarcs *b, ix_crvs *out)
 {
+    const ix_path *p = &b->path;
     size_t m;
     double z;
-    ix_path p;
 
-    IX_TRY(ix__path_new(ctx, crv, &p));
-    IX_TRY(ix__path_no_poles(ctx, &p));
-    IX_TRY(height(ctx, &p, &z));
-    if (2 * p.degree >= IX_MAX_ORDER)
-        return IX_FAIL(ctx, IX_EUNABLE, "degree %d is too high", p.degree);
-    b->p = &p;
-    m = (size_t)p.degree + 1;
-    IX_SCRATCH(ctx, b->crv, (size_t)p.naxes * m);
+    IX_TRY(ix__path_new(ctx, crv, &b->path));
+    IX_TRY(ix__path_no_poles(ctx, p));
+    IX_TRY(height(ctx, p, &z));
+    if (2 * p->degree >= IX_MAX_ORDER)
+        return IX_FAIL(ctx, IX_EUNABLE, "degree %d is too high", p->degree);
+    b->p = p;
+    m = (size_t)p->degree + 1;
+    IX_SCRATCH(ctx, b->crv, (size_t)p->naxes * m);
     IX_SCRATCH(ctx, b->rel, 3 * m);
     IX_SCRATCH(ctx, b->form, 2 * m);
-    IX_SCRATCH(ctx, b->work, 2 * m + ix__bernstein_work(2 * p.degree));
-    for (int s = 0; s < p.nspans; s++)
-        for (double t = p.breaks[s]; t < p.breaks[s + 1];) {
+    IX_SCRATCH(ctx, b->work, 2 * m + ix__bernstein_work(2 * p->degree));
+    for (int s = 0; s < p->nspans; s++)
+        for (double t = p->breaks[s]; t < p->breaks[s + 1];) {
             IX_TRY(ix__poll(ctx));
             IX_TRY(step(ctx, b, s, &t));
         }

@@ -17,8 +17,9 @@ typedef struct {
 } piece;
 
 typedef struct {
-    const ix_path *p;
-    int order; /* 3 or 4 */
+    ix_path path;
+    const ix_path *p; /* it */
+    int order;        /* 3 or 4 */
     double tol, max_len, worst;
     double *curve, *diff, *work; /* control points of one candidate */
     int n, cap;
@@ -170,13 +171,12 @@ static ix_status emit(ix_ctx *ctx, const fit *f, ix_crvs *out)
 static ix_status fit_pieces(ix_ctx *ctx, const ix_mv *crv, fit *f, ix_crvs *out)
 {
     size_t d, nc;
-    ix_path p;
 
-    IX_TRY(ix__path_new(ctx, crv, &p));
-    IX_TRY(ix__path_no_poles(ctx, &p));
-    f->p = &p;
-    d = (size_t)p.degree + (size_t)f->order;
-    nc = (size_t)p.naxes;
+    IX_TRY(ix__path_new(ctx, crv, &f->path));
+    IX_TRY(ix__path_no_poles(ctx, &f->path));
+    f->p = &f->path;
+    d = (size_t)f->p->degree + (size_t)f->order;
+    nc = (size_t)f->p->naxes;
     IX_SCRATCH(ctx, f->curve, nc * (d + 1));
     IX_SCRATCH(ctx, f->diff, nc * (d + 1));
     IX_SCRATCH(ctx, f->work, nc * (d + 1) + ix__bernstein_work((int)d));

@@ -20,7 +20,7 @@ static ix_status scaled(ix_ctx *ctx, const ix_mv *m, double f, ix_mv **out)
 static ix_status moebius(ix_ctx *ctx, const ix_mv *crv, double ratio,
                          ix_mv *t[2], ix_mv **out)
 {
-    size_t last = crv->npts - 1;
+    size_t last;
     double w0, w1, want, end;
 
     IX_TRY(ix_mv_to_open(ctx, crv, &t[0]));

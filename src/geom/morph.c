@@ -84,7 +84,7 @@ static void edge(const polygon *p, int i, double out[3])
  * perpendicular of u. */
 static void turn_between(const double u[3], const double v[3], double out[3])
 {
-    double a[3], b[3], x[3], z[3] = {0, 0, 1}, s, c;
+    double a[3] = {0}, b[3] = {0}, x[3], z[3] = {0, 0, 1}, s, c;
 
     memset(out, 0, 3 * sizeof *out);
     if (!(ix__unit3(u, a) > 0) || !(ix__unit3(v, b) > 0))
@@ -136,8 +136,8 @@ static ix_status prepare(ix_ctx *ctx, morph *m)
 /* v turned by f times the rotation vector (Rodrigues). */
 static void rotate(const double turn[3], double f, double v[3])
 {
-    double a[3], x[3], angle = f * ix__len3(turn), c = cos(angle),
-                       s = sin(angle), along;
+    double a[3] = {0}, x[3], angle = f * ix__len3(turn), c = cos(angle),
+           s = sin(angle), along;
 
     if (!(ix__unit3(turn, a) > 0))
         return;

@@ -255,6 +255,8 @@ static ix_status wavelet(ix_ctx *ctx, const ix_mv *open, int knot, ix_mv **out)
             return st;
         }
     }
+    if (!best)
+        return IX_FAIL(ctx, IX_EUNABLE, "knot %d has no wavelet", knot);
     top = largest(best);
     for (size_t i = 0; i < best->npts; i++)
         best->pts[i] /= top;

@@ -2,6 +2,7 @@
  * algorithm: all derivatives of order j come from the points of step n - j. */
 #include "geom/path.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -124,9 +125,11 @@ void ix__path_derivs(const ix_path *p, int span, double t, int nder,
                      double *out)
 {
     static const int binom[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
-    double h[(IX_PATH_DERIVS + 1) * (IX_MAX_COORDS + 1)];
+    double h[(IX_PATH_DERIVS + 1) * (IX_MAX_COORDS + 1)] = {0};
     int nc = p->ncoords, na = p->naxes;
 
+    assert(nder >= 0 && nder <= IX_PATH_DERIVS && nc > 0 &&
+           na == nc + (p->rational ? 1 : 0));
     if (!p->rational) {
         ix__path_axes(p, span, t, nder, out);
         return;
@@ -150,7 +153,7 @@ void ix__path_point(const ix_path *p, double t, double *out)
 void ix__path_derivs3(const ix_path *p, int span, double t, int nder,
                       double (*out)[3])
 {
-    double d[(IX_PATH_DERIVS + 1) * IX_MAX_COORDS];
+    double d[(IX_PATH_DERIVS + 1) * IX_MAX_COORDS] = {0};
 
     ix__path_derivs(p, span, t, nder, d);
     for (int j = 0; j <= nder; j++)
@@ -164,17 +167,17 @@ static double span_size(const ix_path *p, int span)
 {
     size_t m = (size_t)p->degree + 1;
     const double *c = p->coef + (size_t)span * (size_t)p->naxes * m;
-    const double *w = p->rational ? c : NULL;
+    const double *w = c;
     double size = 0;
 
-    c += w ? m : 0;
+    c += p->rational ? m : 0;
     for (size_t i = 1; i < m; i++) {
         double s = 0;
 
         for (int k = 0; k < p->ncoords; k++) {
             const double *x = c + (size_t)k * m;
 
-            s = hypot(s, w ? x[i] / w[i] - x[0] / w[0] : x[i] - x[0]);
+            s = hypot(s, p->rational ? x[i] / w[i] - x[0] / w[0] : x[i] - x[0]);
         }
         if (isfinite(s))
             size = fmax(size, s);
@@ -185,7 +188,7 @@ static double span_size(const ix_path *p, int span)
 bool ix__path_tangent3(const ix_path *p, int span, double t, bool at_end,
                        double out[3])
 {
-    double d[4][3], h = p->breaks[span + 1] - p->breaks[span];
+    double d[4][3] = {{0}}, h = p->breaks[span + 1] - p->breaks[span];
     double size = span_size(p, span), f = 1;
 
     ix__path_derivs3(p, span, t, 3, d);
@@ -194,10 +197,11 @@ bool ix__path_tangent3(const ix_path *p, int span, double t, bool at_end,
         /* 1e-9: a derivative below that share of the span is a zero with
          * rounding (control points carry 1e-16, differences of a degree's
          * worth of them some digits less) */
-        if (ix__len3(d[j]) * f > 1e-9 * size) {
-            ix__unit3(d[j], out);
-            for (int c = 0; c < 3 && at_end && j % 2 == 0; c++)
-                out[c] = -out[c];
+        if (ix__len3(d[j]) * f > 1e-9 * size && isfinite(ix__len3(d[j]))) {
+            double len = ix__len3(d[j]);
+
+            for (int c = 0; c < 3; c++)
+                out[c] = at_end && j % 2 == 0 ? -d[j][c] / len : d[j][c] / len;
             return true;
         }
     }

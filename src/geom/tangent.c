@@ -59,7 +59,7 @@ ix_status ix_tangent(ix_ctx *ctx, const ix_mv *crv, double t, bool unit,
 static ix_status space_normal(ix_ctx *ctx, double (*d)[3], double t,
                               double out[3])
 {
-    double u[3], n[3], f;
+    double u[3] = {0}, n[3], f;
 
     if (!(ix__unit3(d[1], u) > 0))
         return IX_FAIL(ctx, IX_EDOMAIN, "no normal at %g: C' is zero", t);
