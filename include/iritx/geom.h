@@ -294,7 +294,8 @@ ix_status ix_moebius(ix_ctx *ctx, const ix_mv *crv, double ratio,
  */
 
 /* Polynomial Bezier pieces of order 3 or 4 along a curve, end to end; each is
- * as long as the tolerance allows and does not pass a knot.
+ * as long as the tolerance allows, ends at a knot if it reaches one, and does
+ * not pass a corner.
  *
  * In    tol      for |C(t) - piece(u)|, u linear in t
  *       max_len  largest arc length of the curve that a piece may cover; not

@@ -1,8 +1,8 @@
 /* arclen.c - length of curves and curves by arc length.
  *
- * The reparametrised curve is a spline in the arc length s, fitted to C(t(s))
- * on knots that are bisected until the error, measured between the nodes of
- * the fit, is small enough. Corners of the curve are C0 knots. */
+ * The reparametrised curve is a spline in the arc length s, fitted to pairs
+ * (s(t), C(t)) on knots that are bisected until the error, measured between
+ * the nodes of the fit, is small enough. Corners of the curve are C0 knots. */
 #include "geom/arclen.h"
 
 #include <math.h>
@@ -86,16 +86,33 @@ double ix__span_at_length(const ix_path *p, int span, double a, double b,
     return t;
 }
 
-/* --- by arc length
- * ------------------------------------------------------------ */
+double ix__path_at_length(const ix_path *p, double t0, double t1, double s)
+{
+    int last = ix__path_span(p, t1);
 
-/* One knot interval of the fit. */
+    for (int i = ix__path_span(p, t0); i <= last; i++) {
+        double a = fmax(t0, p->breaks[i]), b = fmin(t1, p->breaks[i + 1]);
+        double len = b > a ? ix__span_length(p, i, a, b) : 0;
+
+        if (s < len)
+            return ix__span_at_length(p, i, a, b, len, s);
+        s -= len;
+    }
+    return t1;
+}
+
+/* --- by arc length
+ * ------------------------------------------------------------
+ */
+
+/* One knot interval of the fit, and what is known of the curve there. */
 typedef struct {
     int span;
     double t0, t1; /* parameters of the curve, within the span */
     double s0, s1; /* arc lengths */
     int cont;      /* continuity wanted at s1 */
     double err;
+    double *tab; /* [nodes][1 + ncoords]: arc length, point */
 } cell;
 
 typedef struct {
@@ -104,11 +121,37 @@ typedef struct {
     int order, n;
     cell *cells;
     ix_dir dir;
-    double *coef;  /* [ncoords][length] */
-    double *x, *w; /* Gauss nodes in a cell */
-    int nodes;
-    double *basis; /* [order] */
+    double *coef;        /* [ncoords][length] */
+    int nodes;           /* in a cell, in rising order: */
+    double *x, *w;       /* place in [0, 1]; weight in the fit, 0: a check */
+    double gx[5], gw[5]; /* quadrature between two of them */
+    double *basis;       /* [order] */
 } fit;
+
+/* order + 2 Gauss nodes for the fit and twice as many even ones for checks,
+ * merged. */
+static ix_status make_nodes(ix_ctx *ctx, fit *f)
+{
+    int g = f->order + 2, m = 2 * g + 1, i = 0, j = 0;
+    double *x, *w;
+
+    IX_SCRATCH(ctx, x, g);
+    IX_SCRATCH(ctx, w, g);
+    ix__gauss(g, x, w);
+    ix__gauss(5, f->gx, f->gw);
+    f->nodes = g + m + 1;
+    IX_SCRATCH(ctx, f->x, f->nodes);
+    IX_SCRATCH(ctx, f->w, f->nodes);
+    for (int k = 0; k < f->nodes; k++) {
+        bool fitted = i < g && x[i] < (double)j / m;
+
+        f->x[k] = fitted ? x[i] : (double)j / m;
+        f->w[k] = fitted ? w[i] : 0;
+        i += fitted;
+        j += !fitted;
+    }
+    return IX_OK;
+}
 
 /* Continuity at the break after span s: known, unless there is a corner. */
 static int join_cont(const ix_path *p, int s, int order)
@@ -117,10 +160,49 @@ static int join_cont(const ix_path *p, int s, int order)
 
     if (cont < 0)
         return -1;
-    /* a turn of 1e-6 is a corner, less is rounding of control points */
-    if (cont < order && ix__path_corner(p, s + 1, cos(1e-6)) == s + 1)
+    if (cont < order && ix__path_is_corner(p, s + 1))
         return 0;
     return cont > 1 ? cont : 1; /* no corner: tangents agree */
+}
+
+/* Length between two neighbouring nodes. */
+static double short_length(const fit *f, int span, double a, double b)
+{
+    double s = 0;
+
+    for (int i = 0; i < 5; i++)
+        s += f->gw[i] * speed(f->p, span, a + (b - a) * f->gx[i]);
+    return s * (b - a);
+}
+
+/* Arc lengths and points at the nodes of a cell whose length is known. */
+static ix_status tabulate(ix_ctx *ctx, const fit *f, cell *c)
+{
+    int row = 1 + f->p->ncoords;
+    double h = c->t1 - c->t0, len = c->s1 - c->s0, sum = 0;
+
+    IX_SCRATCH(ctx, c->tab, f->nodes * row);
+    for (int exact = 0; exact < 2; exact++) {
+        sum = 0;
+        for (int i = 0; i < f->nodes; i++) {
+            double t = c->t0 + h * f->x[i];
+            double a = c->t0 + h * f->x[i ? i - 1 : 0];
+
+            if (i)
+                sum += exact ? ix__span_length(f->p, c->span, a, t)
+                             : short_length(f, c->span, a, t);
+            c->tab[i * row] = sum;
+        }
+        if (fabs(sum - len) <= 1e-11 * len) /* the short rule will do */
+            break;
+    }
+    for (int i = 0; i < f->nodes; i++) {
+        double *r = c->tab + i * row;
+
+        r[0] = i == f->nodes - 1 ? c->s1 : c->s0 + r[0] * (len / sum);
+        ix__path_derivs(f->p, c->span, c->t0 + h * f->x[i], 0, r + 1);
+    }
+    return IX_OK;
 }
 
 /* A cell for each span that has length. */
@@ -143,6 +225,7 @@ static ix_status first_cells(ix_ctx *ctx, fit *f)
         c.s1 = s += len;
         if (i + 1 < f->p->nspans)
             c.cont = join_cont(f->p, i, f->order);
+        IX_TRY(tabulate(ctx, f, &c));
         f->cells[f->n++] = c;
     }
     if (f->n == 0)
@@ -150,26 +233,27 @@ static ix_status first_cells(ix_ctx *ctx, fit *f)
     return IX_OK;
 }
 
+static int multiplicity(const fit *f, int i)
+{
+    int mult = f->order - 1 - f->cells[i].cont;
+
+    return mult > 1 ? mult : 1;
+}
+
 static ix_status make_dir(ix_ctx *ctx, fit *f)
 {
     int k = f->order, n = k;
     double *knots;
 
-    for (int i = 0; i + 1 < f->n; i++) {
-        int mult = k - 1 - f->cells[i].cont;
-
-        n += mult > 1 ? mult : 1;
-    }
+    for (int i = 0; i + 1 < f->n; i++)
+        n += multiplicity(f, i);
     IX_SCRATCH(ctx, knots, n + k);
     n = 0;
     for (int i = 0; i < k; i++)
         knots[n++] = f->cells[0].s0;
-    for (int i = 0; i + 1 < f->n; i++) {
-        int mult = k - 1 - f->cells[i].cont;
-
-        for (int j = 0; j < (mult > 1 ? mult : 1); j++)
+    for (int i = 0; i + 1 < f->n; i++)
+        for (int j = 0; j < multiplicity(f, i); j++)
             knots[n++] = f->cells[i].s1;
-    }
     f->dir = (ix_dir){
         .basis = IX_BSPLINE, .order = k, .length = n, .knots = knots};
     for (int i = 0; i < k; i++)
@@ -177,25 +261,20 @@ static ix_status make_dir(ix_ctx *ctx, fit *f)
     return IX_OK;
 }
 
-/* C(t(s)) for a fraction x of the cell's length. */
-static void target(const fit *f, const cell *c, double x, double *out)
+/* First control point that counts in cell i, given that of cell i - 1. */
+static int first_point(const fit *f, int i, int before)
 {
-    double len = c->s1 - c->s0;
-    double t = ix__span_at_length(f->p, c->span, c->t0, c->t1, len, x * len);
-
-    ix__path_derivs(f->p, c->span, t, 0, out);
+    return i ? before + multiplicity(f, i - 1) : 0;
 }
 
-static double error_at(const fit *f, const cell *c, double x)
+static double error_at(const fit *f, int first, const double *row)
 {
-    double want[IX_MAX_COORDS], s = c->s0 + x * (c->s1 - c->s0), sum = 0;
-    int first = ix__basis_first(&f->dir, s);
+    double sum = 0;
 
-    target(f, c, x, want);
-    ix__basis_derive(&f->dir, first, s, 0, f->basis);
+    ix__basis_derive(&f->dir, first, row[0], 0, f->basis);
     for (int k = 0; k < f->p->ncoords; k++) {
         const double *q = f->coef + k * f->dir.length + first;
-        double d = -want[k];
+        double d = -row[1 + k];
 
         for (int i = 0; i < f->order; i++)
             d += f->basis[i] * q[i];
@@ -204,60 +283,66 @@ static double error_at(const fit *f, const cell *c, double x)
     return sqrt(sum);
 }
 
-static void add_cell(const fit *f, const cell *c, ix_band *band)
+static void add_row(const fit *f, int first, const double *row, double weight,
+                    ix_band *band)
 {
-    double rhs[IX_MAX_COORDS];
+    double rhs[IX_MAX_COORDS], root = sqrt(weight);
 
-    for (int g = 0; g < f->nodes; g++) {
-        double s = c->s0 + f->x[g] * (c->s1 - c->s0);
-        double root = sqrt(f->w[g] * (c->s1 - c->s0));
-        int first = ix__basis_first(&f->dir, s);
+    ix__basis_derive(&f->dir, first, row[0], 0, f->basis);
+    for (int i = 0; i < f->order; i++)
+        f->basis[i] *= root;
+    for (int k = 0; k < f->p->ncoords; k++)
+        rhs[k] = root * row[1 + k];
+    ix__band_add(band, first, f->order, f->basis, rhs);
+}
 
-        ix__basis_derive(&f->dir, first, s, 0, f->basis);
-        target(f, c, f->x[g], rhs);
-        for (int i = 0; i < f->order; i++)
-            f->basis[i] *= root;
-        for (int k = 0; k < f->p->ncoords; k++)
-            rhs[k] *= root;
-        ix__band_add(band, first, f->order, f->basis, rhs);
+/* The largest error of each cell: between the nodes, and at the ends. */
+static void measure(fit *f)
+{
+    int first = 0, step = 1 + f->p->ncoords;
+
+    for (int i = 0; i < f->n; i++) {
+        cell *c = &f->cells[i];
+
+        first = first_point(f, i, first);
+        c->err = 0;
+        for (int j = 0; j < f->nodes; j++)
+            if (f->w[j] == 0)
+                c->err = fmax(c->err, error_at(f, first, c->tab + j * step));
     }
 }
 
 /* Fits on the present cells; the ends are made exact. */
 static ix_status solve(ix_ctx *ctx, fit *f)
 {
-    const cell *last = &f->cells[f->n - 1];
-    double ends[2][IX_MAX_COORDS];
+    int n, nc = f->p->ncoords, first = 0, step = 1 + nc;
+    const double *start = f->cells[0].tab;
+    const double *end = f->cells[f->n - 1].tab + (f->nodes - 1) * step;
     ix_band band;
-    int n;
 
     IX_TRY(make_dir(ctx, f));
     n = f->dir.length;
-    IX_SCRATCH(ctx, f->coef, (size_t)n * (size_t)f->p->ncoords);
-    IX_TRY(ix__band_new(ctx, n, f->order, false, f->p->ncoords, &band));
+    IX_SCRATCH(ctx, f->coef, (size_t)n * (size_t)nc);
+    IX_TRY(ix__band_new(ctx, n, f->order, false, nc, &band));
     for (int i = 0; i < f->n; i++) {
-        IX_TRY(ix__poll(ctx));
-        add_cell(f, &f->cells[i], &band);
+        const cell *c = &f->cells[i];
+
+        first = first_point(f, i, first);
+        for (int j = 0; j < f->nodes; j++)
+            if (f->w[j] > 0)
+                add_row(f, first, c->tab + j * step, f->w[j] * (c->s1 - c->s0),
+                        &band);
     }
     IX_TRY(ix__band_solve(ctx, &band, f->coef));
-    ix__path_derivs(f->p, f->cells[0].span, f->cells[0].t0, 0, ends[0]);
-    ix__path_derivs(f->p, last->span, last->t1, 0, ends[1]);
-    for (int k = 0; k < f->p->ncoords && f->order > 1; k++) {
-        f->coef[k * n] = ends[0][k];
-        f->coef[k * n + n - 1] = ends[1][k];
+    for (int k = 0; k < nc; k++) {
+        f->coef[k * n] = start[1 + k];
+        f->coef[k * n + n - 1] = end[1 + k];
     }
-    for (int i = 0; i < f->n; i++) { /* between the nodes, and at the ends */
-        cell *c = &f->cells[i];
-        int m = 2 * f->nodes + 1;
-
-        c->err = 0;
-        for (int j = 0; j <= m; j++)
-            c->err = fmax(c->err, error_at(f, c, (double)j / m));
-    }
+    measure(f);
     return IX_OK;
 }
 
-/* Halves (in length) the cells whose error is too large; false: none is. */
+/* Halves the cells whose error is too large; done: none is. */
 static ix_status refine(ix_ctx *ctx, fit *f, bool *done)
 {
     cell *out;
@@ -273,21 +358,23 @@ static ix_status refine(ix_ctx *ctx, fit *f, bool *done)
         if (c.err <= 0.8 * f->tol)
             continue;
         *done = false;
-        out[n - 1].s1 = d.s0 = (c.s0 + c.s1) / 2;
-        out[n - 1].t1 = d.t0 = ix__span_at_length(
-            f->p, c.span, c.t0, c.t1, c.s1 - c.s0, (c.s1 - c.s0) / 2);
-        out[n - 1].cont = f->order - 2;
+        c.t1 = d.t0 = c.t0 + (c.t1 - c.t0) / 2;
+        c.s1 = d.s0 = c.s0 + ix__span_length(f->p, c.span, c.t0, c.t1);
+        c.cont = f->order - 2;
+        IX_TRY(tabulate(ctx, f, &c));
+        IX_TRY(tabulate(ctx, f, &d));
+        out[n - 1] = c;
         out[n++] = d;
     }
     f->cells = out;
     f->n = n;
-    return IX_OK;
+    return ix__poll(ctx);
 }
 
 static ix_status arclen(ix_ctx *ctx, const ix_mv *crv, double tol, int order,
                         double *err, ix_mv **out)
 {
-    fit f = {.tol = tol, .order = order, .nodes = order + 2};
+    fit f = {.tol = tol, .order = order};
     const int most = 1 << 16; /* cells; a cubic would reach 1e-18 with them */
     bool done = false;
     ix_path p;
@@ -295,10 +382,8 @@ static ix_status arclen(ix_ctx *ctx, const ix_mv *crv, double tol, int order,
     IX_TRY(ix__path_new(ctx, crv, &p));
     IX_TRY(ix__path_no_poles(ctx, &p));
     f.p = &p;
-    IX_SCRATCH(ctx, f.x, f.nodes);
-    IX_SCRATCH(ctx, f.w, f.nodes);
     IX_SCRATCH(ctx, f.basis, order);
-    ix__gauss(f.nodes, f.x, f.w);
+    IX_TRY(make_nodes(ctx, &f));
     IX_TRY(first_cells(ctx, &f));
     while (!done) {
         if (f.n > most)

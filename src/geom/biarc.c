@@ -16,6 +16,7 @@
 #include "geom/angle.h"
 #include "geom/bound.h"
 #include "geom/crvs.h"
+#include "geom/march.h"
 
 typedef struct {
     double p[2], q[2], r[2]; /* control points; q where the tangents meet */
@@ -32,6 +33,8 @@ typedef struct {
     double *form;        /* [2 d + 1] */
     double *work;
     double worst;
+    arc now[2]; /* the candidate */
+    int nnow;
     int n, cap;
     arc *arcs;
 } biarcs;
@@ -41,10 +44,10 @@ static double dot2(const double a[2], const double b[2])
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/* Bound of the distance between the curve over [t0, t1] and the arc's circle
- * or line. */
-static double distance(const biarcs *b, int span, double t0, double t1,
-                       const arc *a)
+/* Bound of the distance between the curve over [t0, t1] of one span and the
+ * arc's circle or line. */
+static double span_distance(const biarcs *b, int span, double t0, double t1,
+                            const arc *a)
 {
     const ix_path *p = b->p;
     int d = p->degree, m = d + 1, c = p->rational ? 1 : 0;
@@ -76,45 +79,63 @@ static double distance(const biarcs *b, int span, double t0, double t1,
     return 2 * h / (1 + sqrt(fmax(0, 1 - 2 * fabs(k) * h)));
 }
 
+/* The same over any interval. */
+static double distance(const biarcs *b, double t0, double t1, const arc *a)
+{
+    const double *br = b->p->breaks;
+    int last = ix__path_span_left(b->p, t1);
+    double worst = 0;
+
+    for (int s = ix__path_span(b->p, t0); s <= last && worst <= b->tol; s++)
+        worst = fmax(worst, span_distance(b, s, fmax(t0, br[s]),
+                                          fmin(t1, br[s + 1]), a));
+    return worst;
+}
+
 /* Is the curve over [t0, t1] monotone along v? Then it meets each normal of
  * the biarc's chord once, so that small distances mean nearness all along. */
-static bool monotone(const biarcs *b, int span, double t0, double t1,
-                     const double v[2])
+static bool monotone(const biarcs *b, double t0, double t1, const double v[2])
 {
     int m = b->p->degree + 1, c = b->p->rational ? 1 : 0;
-    double last = -HUGE_VAL;
+    int end = ix__path_span_left(b->p, t1);
+    const double *br = b->p->breaks;
+    double last = -HUGE_VAL, slack = 1e-12 * sqrt(dot2(v, v));
 
-    ix__path_restrict(b->p, span, t0, t1, b->crv);
-    for (int i = 0; i < m; i++) {
-        double w = c ? b->crv[i] : 1;
-        double x[2] = {b->crv[c * m + i] / w, b->crv[(c + 1) * m + i] / w};
+    for (int s = ix__path_span(b->p, t0); s <= end; s++) {
+        ix__path_restrict(b->p, s, fmax(t0, br[s]), fmin(t1, br[s + 1]),
+                          b->crv);
+        for (int i = 0; i < m; i++) {
+            double w = c ? b->crv[i] : 1;
+            double x[2] = {b->crv[c * m + i] / w, b->crv[(c + 1) * m + i] / w};
+            double at = dot2(x, v) / sqrt(dot2(v, v));
 
-        if (!(dot2(x, v) >= last))
-            return false;
-        last = dot2(x, v);
+            if (!(at >= last - slack)) /* slack: rounding at the breaks */
+                return false;
+            last = at;
+        }
     }
     return true;
 }
 
 /* How far beyond joint j, along tj, the curve is at t. */
-static double beyond(const biarcs *b, int span, double t, const double j[2],
+static double beyond(const biarcs *b, double t, const double j[2],
                      const double tj[2])
 {
     double x[IX_MAX_COORDS];
 
-    ix__path_derivs(b->p, span, t, 0, x);
+    ix__path_point(b->p, t, x);
     return (x[0] - j[0]) * tj[0] + (x[1] - j[1]) * tj[1];
 }
 
 /* The parameter at which the curve crosses the normal at joint j. */
-static bool cross_joint(const biarcs *b, int span, double t0, double t1,
+static bool cross_joint(const biarcs *b, double t0, double t1,
                         const double j[2], const double tj[2], double *t)
 {
-    if (!(beyond(b, span, t0, j, tj) < 0 && beyond(b, span, t1, j, tj) > 0))
+    if (!(beyond(b, t0, j, tj) < 0 && beyond(b, t1, j, tj) > 0))
         return false;
     for (int it = 0; it < 54; it++) { /* to the last bit of t1 - t0 */
         *t = t0 + (t1 - t0) / 2;
-        if (beyond(b, span, *t, j, tj) < 0)
+        if (beyond(b, *t, j, tj) < 0)
             t0 = *t;
         else
             t1 = *t;
@@ -123,9 +144,10 @@ static bool cross_joint(const biarcs *b, int span, double t0, double t1,
 }
 
 /* End point and unit tangent. */
-static bool end_data(const biarcs *b, int span, double t, bool at_end,
-                     double pt[2], double tan[2])
+static bool end_data(const biarcs *b, double t, bool at_end, double pt[2],
+                     double tan[2])
 {
+    int span = at_end ? ix__path_span_left(b->p, t) : ix__path_span(b->p, t);
     double d[1][3], u[3], len;
 
     ix__path_derivs3(b->p, span, t, 0, d);
@@ -141,12 +163,12 @@ static bool end_data(const biarcs *b, int span, double t, bool at_end,
 
 /* The two arcs for the interval [c[0].t0, c[1].t1]; false if there are none
  * within half a turn each. */
-static bool make_biarc(const biarcs *b, int span, arc c[2])
+static bool make_biarc(const biarcs *b, arc c[2])
 {
     double p0[2], p1[2], t0[2], t1[2], v[2], sum[2], vs, vv, d;
 
-    if (!end_data(b, span, c[0].t0, false, p0, t0) ||
-        !end_data(b, span, c[1].t1, true, p1, t1))
+    if (!end_data(b, c[0].t0, false, p0, t0) ||
+        !end_data(b, c[1].t1, true, p1, t1))
         return false;
     for (int k = 0; k < 2; k++) {
         v[k] = p1[k] - p0[k];
@@ -170,23 +192,22 @@ static bool make_biarc(const biarcs *b, int span, arc c[2])
     return c[0].w >= b->least_w && c[1].w >= b->least_w;
 }
 
-/* Distance of the biarc of the interval, infinity if there is none. */
-static double try_biarc(const biarcs *b, int span, arc c[2])
+/* Distance of the biarc of the interval, infinite if there is none. */
+static double try_biarc(const biarcs *b, arc c[2])
 {
     double v[2], tj[2], t;
 
-    if (!make_biarc(b, span, c))
+    if (!make_biarc(b, c))
         return HUGE_VAL;
     for (int k = 0; k < 2; k++) {
         v[k] = c[1].r[k] - c[0].p[k];
         tj[k] = c[1].q[k] - c[0].q[k];
     }
-    if (!monotone(b, span, c[0].t0, c[1].t1, v) ||
-        !cross_joint(b, span, c[0].t0, c[1].t1, c[0].r, tj, &t))
+    if (!monotone(b, c[0].t0, c[1].t1, v) ||
+        !cross_joint(b, c[0].t0, c[1].t1, c[0].r, tj, &t))
         return HUGE_VAL;
     c[0].t1 = c[1].t0 = t;
-    return fmax(distance(b, span, c[0].t0, t, &c[0]),
-                distance(b, span, t, c[1].t1, &c[1]));
+    return fmax(distance(b, c[0].t0, t, &c[0]), distance(b, t, c[1].t1, &c[1]));
 }
 
 /* One arc instead of two of the same circle (or line), if allowed. */
@@ -240,12 +261,15 @@ static ix_status push(ix_ctx *ctx, biarcs *b, const arc *a)
 }
 
 /* Where no biarc can be had (around a cusp), the chord, if the curve stays
- * within the tolerance of its start. */
-static bool tiny(const biarcs *b, int span, double t0, double t1, arc *out)
+ * within the tolerance of its start; within one span. */
+static bool tiny(const biarcs *b, double t0, double t1, arc *out)
 {
     int m = b->p->degree + 1, c = b->p->rational ? 1 : 0;
+    int span = ix__path_span(b->p, t0);
     double d[2][3];
 
+    if (span != ix__path_span_left(b->p, t1))
+        return false;
     ix__path_derivs3(b->p, span, t0, 0, &d[0]);
     ix__path_derivs3(b->p, span, t1, 0, &d[1]);
     ix__path_restrict(b->p, span, t0, t1, b->crv);
@@ -265,38 +289,32 @@ static bool tiny(const biarcs *b, int span, double t0, double t1, arc *out)
     return true;
 }
 
-/* The longest good biarc that starts at *t; *t moves to its end. */
-static ix_status step(ix_ctx *ctx, biarcs *b, int span, double *t)
+/* The candidate of an interval: one or two arcs in b->now. */
+static double try_arcs(void *arg, double t0, double t1)
 {
-    double end = b->p->breaks[span + 1], t1 = end;
-    double least = 1e-9 * (end - b->p->breaks[span]);
-    arc c[2] = {{.t0 = *t}}, one;
+    biarcs *b = arg;
+    arc c[2] = {{.t0 = t0}, {.t1 = t1}};
+    double err = try_biarc(b, c);
 
-    for (;;) {
-        double err, shrink = 0.5;
-
-        c[1].t1 = t1;
-        err = try_biarc(b, span, c);
-        if (err <= b->tol) {
-            b->worst = fmax(b->worst, err);
-            *t = t1;
-            if (join(b, c, &one))
-                return push(ctx, b, &one);
-            IX_TRY(push(ctx, b, &c[0]));
-            return push(ctx, b, &c[1]);
-        }
-        if (tiny(b, span, *t, t1, &one)) {
-            b->worst = fmax(b->worst, b->tol / 2);
-            *t = t1;
-            return push(ctx, b, &one);
-        }
-        if (isfinite(err)) /* the error goes with h^3 */
-            shrink = fmax(0.1, 0.95 * cbrt(b->tol / err));
-        t1 = *t + (t1 - *t) * shrink;
-        if (!(t1 - *t > least))
-            return IX_FAIL(ctx, IX_EUNABLE,
-                           "no arcs within %g near parameter %g", b->tol, *t);
+    b->nnow = 2;
+    memcpy(b->now, c, sizeof c);
+    if (err <= b->tol && join(b, c, &b->now[0]))
+        b->nnow = 1;
+    if (!(err <= b->tol) && tiny(b, t0, t1, &b->now[0])) {
+        b->nnow = 1;
+        err = b->tol / 2;
     }
+    return err;
+}
+
+static ix_status keep(ix_ctx *ctx, void *arg, double t0, double t1)
+{
+    biarcs *b = arg;
+
+    b->worst = fmax(b->worst, try_arcs(b, t0, t1));
+    for (int i = 0; i < b->nnow; i++)
+        IX_TRY(push(ctx, b, &b->now[i]));
+    return IX_OK;
 }
 
 static ix_status emit(ix_ctx *ctx, const biarcs *b, double z, ix_crvs *out)
@@ -352,6 +370,8 @@ static ix_status height(ix_ctx *ctx, const ix_path *p, double *z)
 static ix_status biarc(ix_ctx *ctx, const ix_mv *crv, biarcs *b, ix_crvs *out)
 {
     const ix_path *p = &b->path;
+    /* a biarc's error goes with h^3 */
+    const ix_march march = {p, b->tol, 3, try_arcs, keep, b};
     size_t m;
     double z;
 
@@ -366,11 +386,7 @@ static ix_status biarc(ix_ctx *ctx, const ix_mv *crv, biarcs *b, ix_crvs *out)
     IX_SCRATCH(ctx, b->rel, 3 * m);
     IX_SCRATCH(ctx, b->form, 2 * m);
     IX_SCRATCH(ctx, b->work, 2 * m + ix__bernstein_work(2 * p->degree));
-    for (int s = 0; s < p->nspans; s++)
-        for (double t = p->breaks[s]; t < p->breaks[s + 1];) {
-            IX_TRY(ix__poll(ctx));
-            IX_TRY(step(ctx, b, s, &t));
-        }
+    IX_TRY(ix__march(ctx, &march));
     return emit(ctx, b, z, out);
 }
 

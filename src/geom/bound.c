@@ -19,10 +19,17 @@ void ix__path_restrict(const ix_path *p, int span, double t0, double t1,
     double a = p->breaks[span], h = p->breaks[span + 1] - a;
 
     for (int i = 0; i < p->naxes; i++, c += m, out += m) {
-        memcpy(p->work, c, m * sizeof *c);
-        ix__bern_restrict(p->degree, (t0 - a) / h, (t1 - a) / h, 1, p->work,
-                          out);
+        ix__bernstein_restrict(p->degree, (t0 - a) / h, (t1 - a) / h, c, out);
     }
+}
+
+void ix__bernstein_restrict(int d, double a, double b, const double *c,
+                            double *out)
+{
+    if (a == 0 && b == 1)
+        memmove(out, c, ((size_t)d + 1) * sizeof *c);
+    else
+        ix__bern_restrict(d, a, b, 1, c, out);
 }
 
 void ix__bernstein_mul(int p, const double *a, int q, const double *b,

@@ -10,6 +10,10 @@
 void ix__path_restrict(const ix_path *p, int span, double t0, double t1,
                        double *out);
 
+/* Coefficients of one polynomial over [a, b] of [0, 1]; out may be c. */
+void ix__bernstein_restrict(int d, double a, double b, const double *c,
+                            double *out);
+
 /* Product of Bernstein polynomials, out[p + q + 1]; work[2 (p + q) + 64]. */
 void ix__bernstein_mul(int p, const double *a, int q, const double *b,
                        double *work, double *out);

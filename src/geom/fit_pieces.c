@@ -2,14 +2,15 @@
  *
  * A piece has the curve's end points and, in its own parameter, half the sum
  * of the end tangents' information (quadratic) or both end derivatives
- * (cubic); polynomial curves of no higher degree come back exactly. Going
- * along each span, every piece is made as long as the tolerance allows. */
+ * (cubic); polynomial curves of no higher degree come back exactly. Every
+ * piece is made as long as the tolerance allows. */
 #include <math.h>
 #include <string.h>
 
 #include "geom/arclen.h"
 #include "geom/bound.h"
 #include "geom/crvs.h"
+#include "geom/march.h"
 
 typedef struct {
     double t0, t1;
@@ -21,19 +22,20 @@ typedef struct {
     const ix_path *p; /* it */
     int order;        /* 3 or 4 */
     double tol, max_len, worst;
-    double *curve, *diff, *work; /* control points of one candidate */
+    double *curve, *part, *diff, *work;
+    piece now; /* the candidate */
     int n, cap;
     piece *pieces;
 } fit;
 
 /* End points and end derivatives of the interval, on [0, 1]. */
-static void approximate(const fit *f, int span, piece *c)
+static void approximate(const fit *f, piece *c)
 {
     double a[2 * IX_MAX_COORDS], b[2 * IX_MAX_COORDS], h = c->t1 - c->t0;
     int nc = f->p->ncoords;
 
-    ix__path_derivs(f->p, span, c->t0, 1, a);
-    ix__path_derivs(f->p, span, c->t1, 1, b);
+    ix__path_derivs(f->p, ix__path_span(f->p, c->t0), c->t0, 1, a);
+    ix__path_derivs(f->p, ix__path_span_left(f->p, c->t1), c->t1, 1, b);
     for (int k = 0; k < nc; k++) {
         double *q = c->pts[k], u = h * a[nc + k], v = h * b[nc + k];
 
@@ -48,37 +50,53 @@ static void approximate(const fit *f, int span, piece *c)
     }
 }
 
-/* Largest |C - q| over the interval: numerator X - w q against the least
- * weight. Bounded, not sampled. */
-static double error(const fit *f, int span, const piece *c)
+/* Largest |C - q| over the part of the piece that is in one span: numerator
+ * X - w q against the least weight. Bounded, not sampled. */
+static double span_error(const fit *f, int span, const piece *c)
 {
     const ix_path *p = f->p;
     int d = p->degree, k = f->order - 1, e = p->rational ? d + k : d;
-    double least = HUGE_VAL, *x = f->curve + (p->rational ? d + 1 : 0);
+    double a = fmax(c->t0, p->breaks[span]), least = 1, h = c->t1 - c->t0;
+    double b = fmin(c->t1, p->breaks[span + 1]);
+    double *x = f->curve + (p->rational ? d + 1 : 0);
 
     if (e < k)
         e = k;
-    ix__path_restrict(p, span, c->t0, c->t1, f->curve);
-    for (int a = 0; a < p->ncoords; a++) {
-        double *diff = f->diff + a * (e + 1), *q = f->work;
+    ix__path_restrict(p, span, a, b, f->curve);
+    for (int i = 0; i < p->ncoords; i++) {
+        double *diff = f->diff + i * (e + 1), *q = f->work;
         double *work = q + e + 1;
 
+        ix__bernstein_restrict(k, (a - c->t0) / h, (b - c->t0) / h, c->pts[i],
+                               f->part);
         if (p->rational)
-            ix__bernstein_mul(d, f->curve, k, c->pts[a], work, q);
+            ix__bernstein_mul(d, f->curve, k, f->part, work, q);
         else
-            ix__bernstein_raise(k, c->pts[a], e - k, work, q);
-        ix__bernstein_raise(d, x + a * (d + 1), e - d, work, diff);
-        for (int i = 0; i <= e; i++)
-            diff[i] -= q[i];
+            ix__bernstein_raise(k, f->part, e - k, work, q);
+        ix__bernstein_raise(d, x + i * (d + 1), e - d, work, diff);
+        for (int j = 0; j <= e; j++)
+            diff[j] -= q[j];
     }
     for (int i = 0; p->rational && i <= d; i++)
-        least = fmin(least, fabs(f->curve[i]));
-    if (!p->rational)
-        least = 1;
+        least = i ? fmin(least, fabs(f->curve[i])) : fabs(f->curve[i]);
     return ix__bernstein_max(p->ncoords, e, f->diff, f->work) / least;
 }
 
-static ix_status push(ix_ctx *ctx, fit *f, const piece *c)
+static double try_piece(void *arg, double t0, double t1)
+{
+    fit *f = arg;
+    int last = ix__path_span_left(f->p, t1);
+    double err = 0;
+
+    f->now.t0 = t0;
+    f->now.t1 = t1;
+    approximate(f, &f->now);
+    for (int s = ix__path_span(f->p, t0); s <= last && err <= f->tol; s++)
+        err = fmax(err, span_error(f, s, &f->now));
+    return err;
+}
+
+static ix_status push(ix_ctx *ctx, fit *f)
 {
     if (f->n == f->cap) {
         piece *more;
@@ -92,59 +110,33 @@ static ix_status push(ix_ctx *ctx, fit *f, const piece *c)
             memcpy(more, f->pieces, (size_t)f->n * sizeof *more);
         f->pieces = more;
     }
-    f->pieces[f->n++] = *c;
+    f->pieces[f->n++] = f->now;
     return IX_OK;
 }
 
-/* The longest good piece from c->t0 that ends at c->t1 or before. */
-static ix_status longest(ix_ctx *ctx, fit *f, int span, piece *c)
+/* Keeps the piece; one that is too long goes in parts of equal length. */
+static ix_status keep(ix_ctx *ctx, void *arg, double t0, double t1)
 {
-    double whole = c->t1 - c->t0, len;
+    fit *f = arg;
+    double len = 0, from = t0;
+    int parts = 1;
 
-    for (;;) {
-        double err, shrink;
-
-        approximate(f, span, c);
-        err = error(f, span, c);
-        if (err <= f->tol) {
-            f->worst = fmax(f->worst, err);
-            break;
-        }
-        /* the error goes with h^order; 0.95: not to miss it again */
-        shrink = 0.95 * pow(f->tol / err, 1.0 / f->order);
-        c->t1 = c->t0 + (c->t1 - c->t0) * (shrink > 0.1 ? shrink : 0.1);
-        if (!(c->t1 - c->t0 > 1e-9 * whole))
+    if (f->max_len > 0) {
+        len = ix__path_length(f->p, t0, t1);
+        if (!(len / f->max_len <= 1 << 20))
             return IX_FAIL(ctx, IX_EUNABLE,
-                           "error %g at parameter %g where %g is asked for",
-                           err, c->t0, f->tol);
+                           "length limit %g: more than a million pieces",
+                           f->max_len);
+        parts = len > f->max_len ? (int)ceil(len / f->max_len) : 1;
     }
-    if (!(f->max_len > 0))
-        return IX_OK;
-    len = ix__span_length(f->p, span, c->t0, c->t1);
-    if (len > f->max_len) { /* even parts, none too long */
-        double part = len / ceil(len / f->max_len);
+    for (int i = 1; i <= parts; i++) {
+        double to = i == parts
+                        ? t1
+                        : ix__path_at_length(f->p, t0, t1, len * i / parts);
 
-        c->t1 = ix__span_at_length(f->p, span, c->t0, c->t1, len, part);
-        approximate(f, span, c);
-    }
-    return IX_OK;
-}
-
-static ix_status walk(ix_ctx *ctx, fit *f)
-{
-    const ix_path *p = f->p;
-
-    for (int s = 0; s < p->nspans; s++) {
-        double t = p->breaks[s];
-
-        while (t < p->breaks[s + 1]) {
-            piece c = {.t0 = t, .t1 = p->breaks[s + 1]};
-
-            IX_TRY(ix__poll(ctx));
-            IX_TRY(longest(ctx, f, s, &c));
-            IX_TRY(push(ctx, f, &c));
-            t = c.t1;
-        }
+        f->worst = fmax(f->worst, try_piece(f, from, to));
+        IX_TRY(push(ctx, f));
+        from = to;
     }
     return IX_OK;
 }
@@ -170,6 +162,7 @@ static ix_status emit(ix_ctx *ctx, const fit *f, ix_crvs *out)
 
 static ix_status fit_pieces(ix_ctx *ctx, const ix_mv *crv, fit *f, ix_crvs *out)
 {
+    const ix_march m = {&f->path, f->tol, f->order, try_piece, keep, f};
     size_t d, nc;
 
     IX_TRY(ix__path_new(ctx, crv, &f->path));
@@ -178,9 +171,10 @@ static ix_status fit_pieces(ix_ctx *ctx, const ix_mv *crv, fit *f, ix_crvs *out)
     d = (size_t)f->p->degree + (size_t)f->order;
     nc = (size_t)f->p->naxes;
     IX_SCRATCH(ctx, f->curve, nc * (d + 1));
+    IX_SCRATCH(ctx, f->part, f->order);
     IX_SCRATCH(ctx, f->diff, nc * (d + 1));
     IX_SCRATCH(ctx, f->work, nc * (d + 1) + ix__bernstein_work((int)d));
-    IX_TRY(walk(ctx, f));
+    IX_TRY(ix__march(ctx, &m));
     return emit(ctx, f, out);
 }
 

@@ -240,16 +240,22 @@ double ix__path_size(const ix_path *p)
     return size;
 }
 
-int ix__path_corner(const ix_path *p, int from, double cos_angle)
+bool ix__path_is_corner(const ix_path *p, int s)
 {
-    for (int s = from > 1 ? from : 1; s < p->nspans; s++) {
-        double a[3], b[3], t = p->breaks[s];
+    double a[3], b[3], t = p->breaks[s];
 
-        if (p->cont[s - 1] < 0)
-            return s;
-        if (ix__path_tangent3(p, s - 1, t, true, a) &&
-            ix__path_tangent3(p, s, t, false, b) && ix__dot3(a, b) < cos_angle)
-            return s;
-    }
-    return p->nspans;
+    if (p->cont[s - 1] < 0)
+        return true;
+    /* a turn of 1e-6 is a corner, less is rounding of control points */
+    return ix__path_tangent3(p, s - 1, t, true, a) &&
+           ix__path_tangent3(p, s, t, false, b) && ix__dot3(a, b) < cos(1e-6);
+}
+
+int ix__path_corner(const ix_path *p, int from)
+{
+    int s = from > 1 ? from : 1;
+
+    while (s < p->nspans && !ix__path_is_corner(p, s))
+        s++;
+    return s;
 }

@@ -54,8 +54,10 @@ ix_status ix__path_no_poles(ix_ctx *ctx, const ix_path *p) IX_MUST_CHECK;
  * size that rounding is relative to. */
 double ix__path_size(const ix_path *p);
 
-/* The first index at which the tangent direction turns by more than the
- * angle, searching inner breaks from `from`; nspans if there is none. */
-int ix__path_corner(const ix_path *p, int from, double cos_angle);
+/* Does the tangent turn (by more than 1e-6), or the curve jump, at inner break
+ * s, 0 < s < nspans? */
+bool ix__path_is_corner(const ix_path *p, int s);
+/* The first break from `from` on where it does; nspans if there is none. */
+int ix__path_corner(const ix_path *p, int from);
 
 #endif

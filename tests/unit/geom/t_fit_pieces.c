@@ -113,6 +113,63 @@ static void pieces_converge(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Law: knots do not cut pieces: as many as for the curve itself. */
+static void knots_do_not_cut(void **state)
+{
+    enum { N = 300 };
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    double pts[2 * N];
+    const ix_interpolate_opts o = {.order = 4};
+    ix_mv *c;
+    ix_crvs ps;
+
+    (void)state;
+    for (int i = 0; i < N; i++) {
+        double a = 6.283185307179586 * i / (N - 1);
+
+        pts[i] = cos(a);
+        pts[N + i] = sin(a);
+    }
+    ASSERT_OK(ctx, ix_interpolate(ctx, N, 2, false, pts, &o, NULL, &c));
+    ASSERT_OK(ctx, ix_fit_pieces(ctx, c, 4, 1e-3, 0, NULL, &ps));
+    /* cubic Hermite on h radians errs by h^4 / 384: h = 0.79, 8 and a rest */
+    assert_true(ps.n <= 9);
+    check_pieces(ctx, c, &ps, 1e-3, true);
+    ix_crvs_free(ctx, &ps);
+    ASSERT_OK(ctx, ix_biarcs(ctx, c, 1e-6, 170, NULL, &ps));
+    assert_true(ps.n <= 8); /* it is a circle within 1e-8 */
+    check_pieces(ctx, c, &ps, 1e-6, false);
+    ix_crvs_free(ctx, &ps);
+    ix_mv_unref(ctx, c);
+    ix_ctx_free(ctx);
+}
+
+/* Law: corners stay: the pieces end there. */
+static void corners_cut(void **state)
+{
+    static const double knots[7] = {0, 0, 1, 2, 3, 4, 4};
+    static const double pts[10] = {0, 1, 1, 0, 0, 0, 0, 1, 1, 0};
+    const ix_dir d = {
+        .basis = IX_BSPLINE, .order = 2, .length = 5, .knots = knots};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *c;
+    ix_crvs ps;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &d, 2, false, pts, &c));
+    for (int k = 0; k < 2; k++) {
+        if (k)
+            ASSERT_OK(ctx, ix_biarcs(ctx, c, 100, 170, NULL, &ps));
+        else
+            ASSERT_OK(ctx, ix_fit_pieces(ctx, c, 3, 100, 0, NULL, &ps));
+        assert_int_equal(ps.n, 4);
+        check_pieces(ctx, c, &ps, 1e-5, false); /* as fine as it searches */
+        ix_crvs_free(ctx, &ps);
+    }
+    ix_mv_unref(ctx, c);
+    ix_ctx_free(ctx);
+}
+
 static void exact_and_limited(void **state)
 {
     static const double pts[6] = {0, 1, 3, 0, 2, 0};
@@ -295,6 +352,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_hold_their_tolerance),
         cmocka_unit_test(pieces_converge),
+        cmocka_unit_test(knots_do_not_cut),
+        cmocka_unit_test(corners_cut),
         cmocka_unit_test(exact_and_limited),
         cmocka_unit_test(arcs_hold_their_tolerance),
         cmocka_unit_test(known_arcs),
