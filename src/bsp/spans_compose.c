@@ -56,16 +56,24 @@ static double amplification(const job *jb, int i, int j, const int range[2],
     return cost;
 }
 
-/* The span whose blossom gives coefficient i best. */
+/* The span whose blossom gives coefficient i best. Between three breaks, the
+ * longer span with the more arguments at its ends is best without a count. */
 static int choose_span(const job *jb, int i, const int range[2])
 {
-    int d = jb->sp->degree, best = range[0];
+    const double *br = jb->sp->breaks;
+    int best = range[0];
     double least = HUGE_VAL;
 
-    if (range[0] == range[1]) /* all at one break: a coefficient itself */
-        return d > 0 && jb->at[i] < range[0] ? range[0] - 1 : range[0];
-    if (range[1] == range[0] + 1)
-        return range[0];
+    if (range[1] - range[0] == 2) {
+        double longer = (br[best + 1] - br[best]) -
+                        (br[best + 2] - br[best + 1]);
+        int more = count_at(jb, i, best) - count_at(jb, i, best + 2);
+
+        if (more >= 0 && longer >= 0)
+            return best;
+        if (more <= 0 && longer <= 0)
+            return best + 1;
+    }
     for (int j = range[0]; j < range[1] && least > 1; j++) {
         double cost = amplification(jb, i, j, range, least);
 
@@ -103,30 +111,65 @@ static int blossom(const job *jb, int i, int j, const int range[2], double *w)
     return e;
 }
 
+/* Coefficient i of all rows from e + 1 coefficients of a span. */
+static void put_sum(const job *jb, size_t i, size_t from, const double *w,
+                    int e)
+{
+    for (size_t o = 0; o < jb->outer; o++)
+        ix__weigh(jb->inner, e + 1, w,
+                  jb->in + (o * jb->nin + from) * jb->inner, NULL,
+                  jb->out + (o * jb->nout + i) * jb->inner);
+}
+
+/* Coefficients i .. i + n - 1 of all rows are those of a span. */
+static void put_copies(const job *jb, size_t i, size_t from, size_t n)
+{
+    for (size_t o = 0; o < jb->outer; o++)
+        memcpy(jb->out + (o * jb->nout + i) * jb->inner,
+               jb->in + (o * jb->nin + from) * jb->inner,
+               n * jb->inner * sizeof *jb->out);
+}
+
+/* From coefficient i on, those whose arguments are all at the ends of one
+ * span; returns the first that is not. */
+static int compose_run(const job *jb, int i, int end)
+{
+    int d = jb->sp->degree, j = jb->at[i + (d > 0)], first, stop;
+
+    if (d > 0 && jb->at[i + d] == j && jb->at[i] < j)
+        j--; /* all at one break: the end of the span before it */
+    first = i + d + 1 - jb->run[j + 1];
+    first = first < 0 ? 0 : first > d ? d : first;
+    stop = i + d + 1 - first;
+    if (j + 2 <= jb->sp->nspans && jb->run[j + 2] - d < stop)
+        stop = jb->run[j + 2] - d;
+    if (first == 0 || d == 0) /* the next one starts afresh */
+        stop = i + 1;
+    stop = stop < end ? stop : end;
+    put_copies(jb, (size_t)i, (size_t)j * (size_t)(d + 1) + (size_t)first,
+               (size_t)(stop - i));
+    return stop;
+}
+
 static void compose_items(void *arg, size_t begin, size_t end)
 {
     const job *jb = arg;
-    int d = jb->sp->degree;
+    int d = jb->sp->degree, i = (int)begin;
     double w[IX_MAX_ORDER];
 
-    for (size_t i = begin; i < end; i++) {
-        int range[2] = {jb->at[i + (d > 0)], jb->at[i + (size_t)d]};
-        int j = choose_span(jb, (int)i, range), e = 0;
-        size_t from = (size_t)j * (size_t)(d + 1);
+    while (i < (int)end) {
+        int range[2] = {jb->at[i + (d > 0)], jb->at[i + d]}, j, e;
 
-        if (d > 0)
-            from += (size_t)count_at(jb, (int)i, j + 1);
-        if (range[1] - range[0] > 1)
-            e = blossom(jb, (int)i, j, range, w);
-        for (size_t o = 0; o < jb->outer; o++) {
-            const double *in = jb->in + (o * jb->nin + from) * jb->inner;
-            double *out = jb->out + (o * jb->nout + i) * jb->inner;
-
-            if (e > 0)
-                ix__weigh(jb->inner, e + 1, w, in, NULL, out);
-            else
-                memcpy(out, in, jb->inner * sizeof *out);
+        if (range[1] - range[0] <= 1) {
+            i = compose_run(jb, i, (int)end);
+            continue;
         }
+        j = choose_span(jb, i, range);
+        e = blossom(jb, i, j, range, w);
+        put_sum(jb, (size_t)i,
+                (size_t)j * (size_t)(d + 1) + (size_t)count_at(jb, i, j + 1), w,
+                e);
+        i++;
     }
 }
 

@@ -55,6 +55,10 @@ void ix__weigh(size_t inner, int n, const double *w, const double *in,
 {
     size_t l = inner / 8 * 8;
 
+    if (inner == 1) {
+        *out = one(1, n, w, in, ref ? *ref : 0);
+        return;
+    }
     if (l > 0 && ref)
         lanes(inner, n, w, in, ref, out);
     else if (l > 0)
