@@ -20,8 +20,9 @@ ix_status ix__window_init(ix_ctx *ctx, const ix_mv *m, ix__window *win)
 /* Offset of the window's point q in direction d. */
 static size_t offset(const ix__window *win, int d, int q)
 {
-    return (size_t)((win->first[d] + q) % win->m->dirs[d].length) *
-           win->stride[d];
+    int n = win->m->dirs[d].length, i = win->first[d] + q;
+
+    return (size_t)(i < n ? i : i % n) * win->stride[d];
 }
 
 /* The point with the largest weight. */
@@ -30,10 +31,11 @@ static size_t heaviest(const ix__window *win)
     size_t at = 0;
 
     for (int d = 0; d < win->m->ndirs; d++) {
+        const double *w = win->w[d];
         int best = 0;
 
         for (int q = 1; q < win->m->dirs[d].order; q++)
-            if (fabs(win->w[d][q]) > fabs(win->w[d][best]))
+            if (fabs(w[q]) > fabs(w[best]))
                 best = q;
         at += offset(win, d, best);
     }
@@ -49,8 +51,9 @@ static double sum_row(const ix__window *win, const double *p, double ref)
     double sum = 0;
 
     if (first + o <= n) {
+        p += first;
         for (int q = 0; q < o; q++)
-            sum += w[q] * (p[first + q] - ref);
+            sum += w[q] * (p[q] - ref);
         return sum;
     }
     for (int q = 0; q < o; q++)
@@ -58,41 +61,39 @@ static double sum_row(const ix__window *win, const double *p, double ref)
     return sum;
 }
 
-/* The same of the whole window: rows of direction 0, the others counted. */
-static double sum_all(const ix__window *win, const double *p, double ref)
+/* sum[axes] += the rows of the window, all directions but 0 counted in q. */
+static void sum_rows(const ix__window *win, const double *ref, double *sum)
 {
     const ix_mv *m = win->m;
     int q[IX_MAX_DIRS] = {0}, d;
-    double sum = 0;
 
-    if (m->ndirs == 1)
-        return sum_row(win, p, ref);
     do {
-        const double *row = p;
+        const double *row = m->pts;
         double w = 1;
 
         for (d = 1; d < m->ndirs; d++) {
             row += offset(win, d, q[d]);
             w *= win->w[d][q[d]];
         }
-        sum += w * sum_row(win, row, ref);
+        for (int a = 0; a < m->naxes; a++, row += m->npts)
+            sum[a] += w * sum_row(win, row, ref[a]);
         for (d = 1; d < m->ndirs && ++q[d] == m->dirs[d].order; d++)
             q[d] = 0;
     } while (d < m->ndirs);
-    return sum;
 }
 
 void ix__window_sum(const ix__window *win, double *out)
 {
-    bool known = !isnan(win->total);
-    size_t at = known ? heaviest(win) : 0;
+    const ix_mv *m = win->m;
+    double ref[IX_MAX_COORDS + 1] = {0}, sum[IX_MAX_COORDS + 1] = {0};
 
-    for (int a = 0; a < win->m->naxes; a++) {
-        const double *p = ix_mv_axis(win->m, a);
+    if (!isnan(win->total)) {
+        const double *p = m->pts + heaviest(win);
 
-        if (known)
-            out[a] = win->total * p[at] + sum_all(win, p, p[at]);
-        else
-            out[a] = sum_all(win, p, 0);
+        for (int a = 0; a < m->naxes; a++, p += m->npts)
+            ref[a] = *p;
     }
+    sum_rows(win, ref, sum);
+    for (int a = 0; a < m->naxes; a++)
+        out[a] = isnan(win->total) ? sum[a] : win->total * ref[a] + sum[a];
 }
