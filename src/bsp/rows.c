@@ -164,6 +164,17 @@ static void combine_wrapped(const job *jb, size_t i, const double *in,
     }
 }
 
+/* Row i of single numbers. */
+static double combine_one(const ix_rows *b, size_t i, const double *in)
+{
+    const double *w = b->w + i * (size_t)b->width, *p = in + b->first[i];
+    double ref = b->affine ? p[b->heavy[i]] : 0, sum = 0;
+
+    for (int q = 0; q < b->width; q++)
+        sum += w[q] * (p[q] - ref);
+    return ref + sum;
+}
+
 /* Row i as p[heavy] + sum of w[q] (p[q] - p[heavy]), so that a constant stays
  * exactly what it is. */
 static void combine(const job *jb, size_t i, const double *in, double *out)
@@ -175,6 +186,10 @@ static void combine(const job *jb, size_t i, const double *in, double *out)
         combine_wrapped(jb, i, in, out);
         return;
     }
+    if (jb->inner == 1) {
+        *out = combine_one(b, i, in);
+        return;
+    }
     p = in + (size_t)b->first[i] * jb->inner;
     ix__weigh(jb->inner, b->width, w, p,
               b->affine ? p + (size_t)b->heavy[i] * jb->inner : NULL, out);
@@ -183,11 +198,16 @@ static void combine(const job *jb, size_t i, const double *in, double *out)
 static void apply_items(void *arg, size_t begin, size_t end)
 {
     const job *jb = arg;
-    size_t rows = (size_t)jb->b->nrows;
+    size_t rows = (size_t)jb->b->nrows, i = begin % rows;
+    const double *in = jb->in + begin / rows * (size_t)jb->n * jb->inner;
 
-    for (size_t k = begin; k < end; k++)
-        combine(jb, k % rows, jb->in + k / rows * (size_t)jb->n * jb->inner,
-                jb->out + k * jb->inner);
+    for (size_t k = begin; k < end; k++) {
+        combine(jb, i, in, jb->out + k * jb->inner);
+        if (++i == rows) {
+            i = 0;
+            in += (size_t)jb->n * jb->inner;
+        }
+    }
 }
 
 void ix__rows_apply(ix_ctx *ctx, const ix_rows *b, int n, size_t outer,

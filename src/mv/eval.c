@@ -18,9 +18,11 @@ ix_status ix__mv_param(ix_ctx *ctx, const ix_mv *m, int d, double *t)
 {
     double dom[2], slack;
 
+    ix__dir_domain(m->dirs + d, dom);
+    if (*t >= dom[0] && *t <= dom[1])
+        return IX_OK;
     if (isfinite(*t) && ix__mv_extrapolates(m, d))
         return IX_OK;
-    ix__dir_domain(m->dirs + d, dom);
     slack = 1e-5 * (dom[1] - dom[0]); /* spec/model 6 */
     if (!(*t >= dom[0] - slack && *t <= dom[1] + slack))
         return IX_FAIL(ctx, IX_EDOMAIN,

@@ -61,6 +61,23 @@ static double sum_row(const ix__window *win, const double *p, double ref)
     return sum;
 }
 
+/* A curve whose window does not wrap: out[axes] in one go. */
+static void sum_curve(const ix__window *win, double *out)
+{
+    const ix_mv *m = win->m;
+    const double *w = win->w[0], *p = m->pts + win->first[0];
+    size_t heavy = heaviest(win) - (size_t)win->first[0];
+    int o = m->dirs[0].order;
+
+    for (int a = 0; a < m->naxes; a++, p += m->npts) {
+        double ref = p[heavy], sum = 0;
+
+        for (int q = 0; q < o; q++)
+            sum += w[q] * (p[q] - ref);
+        out[a] = win->total * ref + sum;
+    }
+}
+
 /* sum[axes] += the rows of the window, all directions but 0 counted in q. */
 static void sum_rows(const ix__window *win, const double *ref, double *sum)
 {
@@ -82,7 +99,9 @@ static void sum_rows(const ix__window *win, const double *ref, double *sum)
     } while (d < m->ndirs);
 }
 
-void ix__window_sum(const ix__window *win, double *out)
+/* The sum over any window; differences from one point unless the total of the
+ * weights is not known. */
+static void sum_window(const ix__window *win, double *out)
 {
     const ix_mv *m = win->m;
     double ref[IX_MAX_COORDS + 1] = {0}, sum[IX_MAX_COORDS + 1] = {0};
@@ -96,4 +115,15 @@ void ix__window_sum(const ix__window *win, double *out)
     sum_rows(win, ref, sum);
     for (int a = 0; a < m->naxes; a++)
         out[a] = isnan(win->total) ? sum[a] : win->total * ref[a] + sum[a];
+}
+
+void ix__window_sum(const ix__window *win, double *out)
+{
+    const ix_dir *dir = win->m->dirs;
+
+    if (win->m->ndirs == 1 && !isnan(win->total) &&
+        win->first[0] + dir->order <= dir->length)
+        sum_curve(win, out);
+    else
+        sum_window(win, out);
 }

@@ -310,6 +310,36 @@ static void many_points_uneven(void **state)
     ix_mv_unref(ctx, m);
 }
 
+/* Law: the bits do not depend on the number of threads. */
+static void threads_do_not_matter(void **state)
+{
+    enum { N = 60000 };
+    ix_rand_opts o = {.ndirs = 2,
+                      .ncoords = 3,
+                      .rational = 1,
+                      .min_order = 3,
+                      .unit = true,
+                      .kinds = IX_RAND_OPEN};
+    ix_mv *m = ix_mv_randtest(ctx, &rng, &o);
+    double *t = malloc(2 * N * sizeof *t), *one = malloc(3 * N * sizeof *one);
+    double *two = malloc(3 * N * sizeof *two);
+
+    (void)state;
+    assert_true(t && one && two);
+    for (int i = 0; i < 2 * N; i++)
+        t[i] = ix_rng_unit(&rng);
+    ix_ctx_set_threads(ctx, 1);
+    ASSERT_OK(ctx, ix_mv_point_many(ctx, m, N, t, one));
+    ix_ctx_set_threads(ctx, 4);
+    ASSERT_OK(ctx, ix_mv_point_many(ctx, m, N, t, two));
+    ix_ctx_set_threads(ctx, 0);
+    assert_memory_equal(one, two, 3 * N * sizeof *one);
+    free(t);
+    free(one);
+    free(two);
+    ix_mv_unref(ctx, m);
+}
+
 static void grid(void **state)
 {
     ix_rand_opts o = {.kinds = IX_RAND_ALL};
@@ -492,6 +522,7 @@ int main(void)
         cmocka_unit_test(many_points_of_many_directions),
         cmocka_unit_test(many_points_of_high_order),
         cmocka_unit_test(many_points_uneven),
+        cmocka_unit_test(threads_do_not_matter),
         cmocka_unit_test(grid),
         cmocka_unit_test(ends_and_knots),
         cmocka_unit_test(bezier_extrapolates),
