@@ -157,29 +157,61 @@ static bool find_parameter(search *q, const ix__box *b, graph *g)
 /* --- points on the curve
  * ------------------------------------------------------------------ */
 
-/* Solves for the coordinates other than k (local, x given as start): Newton
- * with the cell's preconditioner. The error that remains, or infinity. */
-static double correct(search *q, const graph *g, double *x)
+/* The Newton matrix at x: the inverse of the Jacobian without column k, or the
+ * cell's preconditioner where that is singular. */
+static void matrix_at(search *q, const graph *g, const double *x, ix__mat m)
 {
     const ix__curves *s = q->s;
+    ix__mat sub;
+
+    for (int i = 0; i < s->n - 1; i++) {
+        double grad[IX_MAX_UNKNOWNS];
+
+        ix__tensor_gradient(&s->shape, tensor(s, g->b, i), x, grad, q->work);
+        for (int j = 0; j < s->n - 1; j++)
+            sub[i][j] = grad[other(j, g->k)];
+    }
+    if (!ix__small_invert(s->n - 1, sub, m))
+        memcpy(m, g->m, sizeof(ix__mat));
+}
+
+/* One step of x for the coordinates other than k; its size. */
+static double step(search *q, const graph *g, ix__mat m, double *x)
+{
+    const ix__curves *s = q->s;
+    double v[IX_MAX_UNKNOWNS], size = 0;
+
+    for (int i = 0; i < s->n - 1; i++)
+        v[i] = ix__tensor_value(&s->shape, tensor(s, g->b, i), x, q->work);
+    for (int i = 0; i < s->n - 1; i++) {
+        double d = 0;
+
+        for (int k = 0; k < s->n - 1; k++)
+            d += m[i][k] * v[k];
+        x[other(i, g->k)] -= d;
+        size = fmax(size, fabs(d));
+    }
+    return size;
+}
+
+/* Solves for the coordinates other than k (local, x given as start). The
+ * cell's own matrix contracts for sure but slowly; once it has come near,
+ * Newton's method finishes. The last step, or infinity. */
+static double correct(search *q, const graph *g, double *x)
+{
     double last = INFINITY;
+    ix__mat m;
 
-    for (int it = 0; it < 80; it++) {
-        double v[4], size = 0;
+    memcpy(m, g->m, sizeof m);
+    for (int it = 0; it < 60; it++) {
+        double size;
 
-        for (int i = 0; i < s->n - 1; i++)
-            v[i] = ix__tensor_value(&s->shape, tensor(s, g->b, i), x, q->work);
-        for (int i = 0; i < s->n - 1; i++) {
-            double d = 0;
-
-            for (int k = 0; k < s->n - 1; k++)
-                d += g->m[i][k] * v[k];
-            x[other(i, g->k)] -= d;
-            size = fmax(size, fabs(d));
-        }
+        if (last < 0.1)
+            matrix_at(q, g, x, m);
+        size = step(q, g, m, x);
         if (!(size < 4))
             return INFINITY;
-        if (size <= 4 * UNIT || !(size < 0.95 * last))
+        if (size <= 2 * UNIT || (last < 1e-7 && !(size < 0.5 * last)))
             return fmin(size, last);
         last = size;
     }

@@ -203,26 +203,47 @@ static double largest_abs(const double *v, int n)
     return m;
 }
 
-/* x <- x - m f(x) until it no longer moves; returns the bound of |m f(x)|
- * that remains, rounding included. */
+static void jacobian_at(search *q, const double *f, const double *x,
+                        ix__mat jac)
+{
+    const ix__system *s = q->sys;
+
+    for (int i = 0; i < s->n; i++)
+        ix__tensor_gradient(&s->shape, f + (size_t)i * s->shape.size, x, jac[i],
+                            q->work);
+}
+
+/* Newton's method; where the Jacobian is singular, or to begin with, m stands
+ * for its inverse (which contracts for sure, but slowly). Returns the bound of
+ * |m f(x)| at the end, rounding included. */
 static double newton(search *q, const double *f, const double *ferr, ix__mat m,
                      double *x)
 {
-    double step[IX_MAX_UNKNOWNS], err = 0, size, last = INFINITY;
+    double d[IX_MAX_UNKNOWNS], last = INFINITY, err;
     int n = q->sys->n;
+    ix__mat jac, inv;
 
+    memcpy(inv, m, sizeof inv);
     for (int it = 0; it < 60; it++) {
-        err = newton_step(q, f, ferr, m, x, step);
-        size = largest_abs(step, n);
-        if (!(size < 0.9 * last))
-            return fmin(size, last) + err;
+        double size;
+
+        if (last < 0.1) {
+            jacobian_at(q, f, x, jac);
+            if (!ix__small_invert(n, jac, inv))
+                memcpy(inv, m, sizeof inv);
+        }
+        (void)newton_step(q, f, ferr, inv, x, d);
+        size = largest_abs(d, n);
+        if (!(size < 4) || (last < 1e-7 && !(size < 0.5 * last)))
+            break;
         for (int i = 0; i < n; i++)
-            x[i] -= step[i];
+            x[i] -= d[i];
         last = size;
         if (size == 0)
             break;
     }
-    return last + err;
+    err = newton_step(q, f, ferr, m, x, d);
+    return largest_abs(d, n) + err;
 }
 
 #define MARGIN 0.125 /* by which a box is inflated on each side */
