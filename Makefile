@@ -6,6 +6,7 @@
 #   V=1              shows the commands
 # Nothing below needs a change when a file is added: drop it in its folder.
 
+.DEFAULT_GOAL := all
 CFG     ?= release
 PREFIX  ?= /usr/local
 V       ?= 0
@@ -16,8 +17,16 @@ B       := build/$(CFG)$(if $(filter cc gcc,$(CCNAME)),,-$(CCNAME))
 Q       := $(if $(filter 1,$(V)),,@)
 
 # --- packages ----------------------------------------------------------------
+# Missing Debian packages are installed once, before anything else is looked at:
+# make remakes this included stamp and starts again.
 PACKAGES := build-essential pkg-config zlib1g-dev libcmocka-dev libflint-dev python3
 PKGS     := zlib
+setup: build/.setup                                 ## install missing Debian packages
+build/.setup: scripts/dev/setup Makefile
+	@mkdir -p build; scripts/dev/setup $(PACKAGES) && touch $@
+ifneq ($(filter-out clean help dist uninstall,$(or $(MAKECMDGOALS),all)),)
+include build/.setup
+endif
 
 # --- flags -------------------------------------------------------------------
 WARN := -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Wstrict-prototypes \
@@ -39,7 +48,7 @@ ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) -Iinclude -Isrc -Itests -Ibench -D
 # Exact arithmetic in tests only, as an independent truth; left out if absent.
 FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
-LIBS         = $(shell pkg-config --libs $(PKGS)) -lm -pthread
+LIBS         := $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 
 # --- files -------------------------------------------------------------------
@@ -62,22 +71,17 @@ ALL_OBJ   := $(call obj,$(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS) $(BENCH_SRC
 .SECONDARY: $(ALL_OBJ) $(TESTS) $(call bin,$(BENCH_SRC))
 .DELETE_ON_ERROR:
 
-all: setup $(LIB) $(SHLIB) $(PROG)                  ## library and program (build/iritx)
+all: $(LIB) $(SHLIB) $(PROG)                  ## library and program (build/iritx)
 	$(Q)$(if $(filter build/release,$(B)),$(if $(PROG),cmp -s $(PROG) build/iritx || cp -f $(PROG) build/iritx))
 
 help:                                               ## this list
 	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t18
 
-# Missing Debian packages are installed once; the stamp names what was checked.
-setup: build/.setup                                 ## install missing Debian packages
-build/.setup: scripts/dev/setup Makefile
-	@mkdir -p build; scripts/dev/setup $(PACKAGES); touch $@
-
 # --- building ----------------------------------------------------------------
 $(B)/.flags: FORCE
 	@mkdir -p $(B); printf '%s\n' '$(CC) $(ALL_CFLAGS) $(ALL_CPPFLAGS)' | cmp -s - $@ || \
 	 printf '%s\n' '$(CC) $(ALL_CFLAGS) $(ALL_CPPFLAGS)' > $@
-$(B)/%.o: %.c $(B)/.flags | build/.setup
+$(B)/%.o: %.c $(B)/.flags
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) -c $< -o $@
