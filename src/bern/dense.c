@@ -112,8 +112,7 @@ double ix__dense_smallest(int m, int n, const double *a, double *x)
     return s;
 }
 
-/* --- singular values
- * ----------------------------------------------------------- */
+/* --- singular values ------------------------------------------------------ */
 
 /* Makes columns x and y orthogonal, rotating p and q alike; returns whether
  * they were not. */

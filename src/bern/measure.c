@@ -39,18 +39,18 @@ IX__CLONES double ix__bern_largest(size_t n, const double *x)
 
 IX__CLONES bool ix__bern_finite(size_t n, const double *x)
 {
-    ix__v4 a = {0}, b = {0}; /* x - x is 0, or NaN */
+    ix__v4 a = {0}, b = {0}; /* 0 x is 0, or NaN */
     double s = 0.0;
     size_t i = 0;
 
     for (; i + 8 <= n; i += 8) {
         const ix__v4 *y = ix__cvec(x + i);
 
-        a += y[0] - y[0];
-        b += y[1] - y[1];
+        a += 0.0 * y[0];
+        b += 0.0 * y[1];
     }
     a += b;
     for (; i < n; i++)
-        s += x[i] - x[i];
+        s += 0.0 * x[i];
     return a[0] + a[1] + a[2] + a[3] + s == 0.0;
 }

@@ -19,8 +19,7 @@
 
 enum { NTERMS = 24, GRID = 5 };
 
-/* --- the six products --------------------------------------------------------
- */
+/* --- the six products ----------------------------------------------------- */
 
 /* det of the columns but `without`, expanded along the rows in s, times f. */
 static void expand(int row, int without, double f, ix_outer_term *t)
@@ -51,8 +50,7 @@ static void make_terms(ix_outer_term *t)
     expand(3, 2, -1.0, t + 18);
 }
 
-/* --- degenerate input
- * ---------------------------------------------------------- */
+/* --- degenerate input ----------------------------------------------------- */
 
 /* What the computation knows of both curves. */
 typedef struct {
@@ -150,8 +148,7 @@ static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
     return IX_OK;
 }
 
-/* --- the surface
- * ------------------------------------------------------------------ */
+/* --- the surface ---------------------------------------------------------- */
 
 /* Positive sum of weights, largest weight in [1/2, 1), the user's frame. */
 static void finish(const ix_frame *frame, size_t n, double *pts)
@@ -244,8 +241,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
     return IX_OK;
 }
 
-/* --- the report
- * ---------------------------------------------------------------------- */
+/* --- the report ----------------------------------------------------------- */
 
 static double distance(const double *a, const double *b)
 {
@@ -298,18 +294,18 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
     ix_mv_domain(s, 0, a);
     ix_mv_domain(s, 1, b);
-    for (int i = 0; i < GRID * GRID; i++) {
-        double t[2] = {a[0] + (a[1] - a[0]) * (i % GRID + 0.5) / GRID,
-                       b[0] + (b[1] - b[0]) * (i / GRID + 0.5) / GRID};
+    for (int i = 0; i < GRID; i++)
+        for (int j = 0; j < GRID; j++) {
+            double t[2] = {a[0] + (a[1] - a[0]) * (i + 0.5) / GRID,
+                           b[0] + (b[1] - b[0]) * (j + 0.5) / GRID};
 
-        IX_TRY(measure_at(ctx, c, s, t, ldexp(1.0, frame.exp), &rep->residual));
-    }
+            IX_TRY(measure_at(ctx, c, s, t, ldexp(1.0, frame.exp),
+                              &rep->residual));
+        }
     return IX_OK;
 }
 
-/* --- entry
- * ------------------------------------------------------------------------------
- */
+/* --- entry ---------------------------------------------------------------- */
 
 static ix_status check_input(ix_ctx *ctx, const ix_mv *const *c,
                              const ix_op_opts *o)

@@ -70,8 +70,7 @@ static ix_status add_points(ix_ctx *ctx, const ix_mv *a, int sign,
     return IX_OK;
 }
 
-/* --- as forms --------------------------------------------------------------
- */
+/* --- as forms ------------------------------------------------------------- */
 
 static ix_status same_weights(ix_ctx *ctx, const ix_frac *f, bool *same)
 {

@@ -50,8 +50,7 @@ static ix_status multiples(ix_ctx *ctx, int d, const double *f, int e,
     return IX_OK;
 }
 
-/* --- division
- * ------------------------------------------------------------------ */
+/* --- division ------------------------------------------------------------- */
 
 /* max |p - h q| over Bernstein coefficients. */
 static double mismatch(int k, const double *h, int e, const double *q,
@@ -102,8 +101,7 @@ ix_status ix__divide_all(ix_ctx *ctx, const ix__bundle *b, int k,
     return IX_OK;
 }
 
-/* --- proposing
- * --------------------------------------------------------------------- */
+/* --- proposing ------------------------------------------------------------ */
 
 /* Two combinations of all polynomials with weights of no pattern. */
 static void combine(const ix__bundle *b, double *f, double *g)

@@ -69,8 +69,7 @@ ix_status ix__form_copy(ix_ctx *ctx, const ix_form *f, ix_form *out)
     return IX_OK;
 }
 
-/* --- continuity ------------------------------------------------------------
- */
+/* --- continuity ----------------------------------------------------------- */
 
 ix_status ix__cont_shift(ix_ctx *ctx, ix_spans *sp, int by)
 {
@@ -122,8 +121,7 @@ ix_status ix__form_narrow(ix_ctx *ctx, const ix_spans *dirs, ix_form *f)
     return IX_OK;
 }
 
-/* --- blocks of one direction ------------------------------------------------
- */
+/* --- blocks of one direction ---------------------------------------------- */
 
 double ix__spans_mean(const ix_spans *sp)
 {
@@ -185,8 +183,7 @@ ix_status ix__form_like(ix_ctx *ctx, const ix_form *f, int dir, ix_spans sp,
     return IX_OK;
 }
 
-/* --- elevation ---------------------------------------------------------------
- */
+/* --- elevation ------------------------------------------------------------ */
 
 typedef struct {
     int d, e;
@@ -234,8 +231,7 @@ ix_status ix__form_elevate(ix_ctx *ctx, const ix_form *f, const int *degrees,
     return IX_OK;
 }
 
-/* --- sums
- * --------------------------------------------------------------------- */
+/* --- sums ----------------------------------------------------------------- */
 
 /* One exponent for both: the larger, so that nothing overflows. */
 static ix_status same_exp(ix_ctx *ctx, ix_form *f, int exp)
@@ -253,7 +249,7 @@ static ix_status same_exp(ix_ctx *ctx, ix_form *f, int exp)
 
 ix_status ix__form_match(ix_ctx *ctx, ix_form *a, ix_form *b)
 {
-    int degrees[IX_MAX_DIRS], exp = a->exp > b->exp ? a->exp : b->exp;
+    int degrees[IX_MAX_DIRS] = {0}, exp = a->exp > b->exp ? a->exp : b->exp;
 
     for (int i = 0; i < a->ndirs; i++) {
         int da = a->dirs[i].degree, db = b->dirs[i].degree;
@@ -302,8 +298,7 @@ void ix__form_times(ix_form *f, double factor)
         f->c[i] *= factor;
 }
 
-/* --- assembling
- * ---------------------------------------------------------------- */
+/* --- assembling ----------------------------------------------------------- */
 
 ix_status ix__form_join(ix_ctx *ctx, int n, const ix_form *const *parts,
                         ix_form *out)

@@ -53,7 +53,7 @@ typedef struct {
     double *c;            /* [nrows][n] */
 } ix_form;
 
-/* --- frames ------------------------------------------------------------- */
+/* --- frames --------------------------------------------------------------- */
 
 /* x' = (x - shift) 2^-exp carries the inputs into the unit box. Powers of two
  * change no bit; shifting is exact to the last place of the input. */
@@ -74,7 +74,7 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m,
 void ix__frame_back(const ix_frame *f, double factor, size_t n, const double *w,
                     double *x);
 
-/* --- in and out --------------------------------------------------------- */
+/* --- in and out ----------------------------------------------------------- */
 
 /* n multivariates (any basis) as forms on common breaks, the axes as rows
  * (weight first). Domains are mapped onto the first one's. frame: NULL, or
@@ -100,7 +100,7 @@ ix_status ix__form_points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
 ix_status ix__check_finite(ix_ctx *ctx, size_t n,
                            const double *x) IX_MUST_CHECK;
 
-/* --- making ------------------------------------------------------------- */
+/* --- making --------------------------------------------------------------- */
 
 /* Coefficients unset. Err IX_EUNABLE a degree beyond IX_MAX_ORDER - 1. */
 ix_status ix__form_alloc(ix_ctx *ctx, int ndirs, const ix_spans *dirs,
@@ -135,7 +135,7 @@ ix_status ix__form_elevate(ix_ctx *ctx, const ix_form *f, const int *degrees,
 ix_status ix__form_refine(ix_ctx *ctx, const ix_form *f, int dir,
                           const ix_spans *sp, ix_form *out) IX_MUST_CHECK;
 
-/* --- algebra ------------------------------------------------------------- */
+/* --- algebra -------------------------------------------------------------- */
 
 /* a + sign b, sign = 1 or -1, at the larger degrees. */
 ix_status ix__form_add(ix_ctx *ctx, const ix_form *a, int sign,
@@ -185,8 +185,7 @@ ix_status ix__form_jacobian(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 /* h0 of a direction: the mean span length. */
 double ix__spans_mean(const ix_spans *sp);
 
-/* --- rows as vectors and matrices ------------------------------------------
- */
+/* --- rows as vectors and matrices ----------------------------------------- */
 
 /* sum a_i b_i. */
 ix_status ix__form_dot(ix_ctx *ctx, const ix_form *a, const ix_form *b,

@@ -33,8 +33,7 @@ ix_status ix__form_bracket(ix_ctx *ctx, const ix_form *const a[2],
     return ix__form_mul_add(ctx, a[1], -1, b[0], out);
 }
 
-/* --- minors ------------------------------------------------------------------
- */
+/* --- minors --------------------------------------------------------------- */
 
 /* Minors of the first rows of a matrix: one row of f for each set of columns,
  * given as bits; index tells which. */

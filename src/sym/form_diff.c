@@ -12,8 +12,7 @@ typedef struct {
     double h0; /* mean span length */
 } slope;
 
-/* --- partials and derivatives ------------------------------------------------
- */
+/* --- partials and derivatives --------------------------------------------- */
 
 static void partial_u(const void *arg, size_t span, size_t inner,
                       const double *in, double *out)
@@ -99,8 +98,7 @@ ix_status ix__form_jacobian(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     return ix__form_bracket(ctx, la, lb, out);
 }
 
-/* --- integrals
- * ----------------------------------------------------------------- */
+/* --- integrals ------------------------------------------------------------ */
 
 typedef struct {
     slope s;
@@ -141,8 +139,7 @@ ix_status ix__form_integrate(ix_ctx *ctx, const ix_form *f, int dir,
     return IX_OK;
 }
 
-/* --- finer breaks
- * ----------------------------------------------------------------- */
+/* --- finer breaks --------------------------------------------------------- */
 
 typedef struct {
     int d;
@@ -226,8 +223,7 @@ ix_status ix__form_refine(ix_ctx *ctx, const ix_form *f, int dir,
     return IX_OK;
 }
 
-/* --- values
- * ------------------------------------------------------------------------- */
+/* --- values --------------------------------------------------------------- */
 
 int ix__spans_find(const ix_spans *sp, double t)
 {

@@ -21,8 +21,7 @@ typedef struct {
 
 static const double unit_breaks[2] = {0.0, 1.0};
 
-/* --- domains and breaks ----------------------------------------------------
- */
+/* --- domains and breaks --------------------------------------------------- */
 
 static ix_status check_domain(ix_ctx *ctx, int dir, const double a[2],
                               const double b[2])
@@ -130,8 +129,7 @@ static ix_status load_dir(ix_ctx *ctx, int n, operand *op, int dir,
     return common_breaks(ctx, n, op, dir);
 }
 
-/* --- coefficients ------------------------------------------------------------
- */
+/* --- coefficients --------------------------------------------------------- */
 
 static int exponent_of(size_t n, const double *x)
 {
@@ -253,8 +251,7 @@ static ix_status load_one(ix_ctx *ctx, const operand *op, const ix_frame *frame,
     return ix__form_scale_in(ctx, out, own ? own : pts);
 }
 
-/* --- all together ------------------------------------------------------------
- */
+/* --- all together --------------------------------------------------------- */
 
 ix_status ix__forms_load(ix_ctx *ctx, int n, const ix_mv *const *m,
                          const ix_frame *frame, ix_form *out)

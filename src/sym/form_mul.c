@@ -66,8 +66,7 @@ static bool starts_empty(const product *w, const chunk *c)
     return !w->add && (k == w->first[c->row + 1] || !(w->terms[k].sign > 0));
 }
 
-/* --- one direction ---------------------------------------------------------
- */
+/* --- one direction -------------------------------------------------------- */
 
 static void mul_spans(void *arg, size_t begin, size_t end)
 {
@@ -93,8 +92,7 @@ static void mul_spans(void *arg, size_t begin, size_t end)
     }
 }
 
-/* --- more directions --------------------------------------------------------
- */
+/* --- more directions ------------------------------------------------------ */
 
 /* Offset of a patch's first coefficient. */
 static size_t patch_base(const ix_form *f, size_t patch)
@@ -228,9 +226,7 @@ static ix_status map_patches(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     return IX_OK;
 }
 
-/* --- any number
- * ----------------------------------------------------------------
- */
+/* --- any number ----------------------------------------------------------- */
 
 /* Cost of one term on one patch in nanoseconds: a third of its products, and
  * some. */

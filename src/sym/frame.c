@@ -37,7 +37,7 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
     for (int i = 0; i < n; i++)
         if (m[i]->ncoords > out->ncoords)
             out->ncoords = m[i]->ncoords;
-    for (int k = 0; k < out->ncoords; k++) {
+    for (int k = 0; k < IX_MAX_COORDS; k++) {
         lo[k] = HUGE_VAL;
         hi[k] = -HUGE_VAL;
     }
@@ -45,7 +45,7 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
         any |= grow(m[i], out->ncoords, lo, hi);
     if (!any)
         return IX_FAIL(ctx, IX_EDOMAIN, "all weights are zero");
-    for (int k = 0; k < out->ncoords; k++) {
+    for (int k = 0; k < out->ncoords && lo[k] <= hi[k]; k++) {
         out->shift[k] = lo[k] / 2 + hi[k] / 2;
         size = fmax(size, hi[k] - out->shift[k]);
         far = fmax(far, fmax(fabs(lo[k]), fabs(hi[k])));

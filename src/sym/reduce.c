@@ -18,8 +18,7 @@ typedef struct {
     int degrees, factors;
 } reduction;
 
-/* --- leading coefficients
- * ------------------------------------------------------- */
+/* --- leading coefficients ------------------------------------------------- */
 
 /* One degree less: from b_k = (k q_{k-1} + (d-k) q_k) / d the lower half of q
  * is found from below, the upper from above, where errors shrink. Returns the
@@ -84,8 +83,7 @@ static ix_status lower(ix_ctx *ctx, reduction *r, int dir, bool *done)
     return IX_OK;
 }
 
-/* --- common factors
- * ----------------------------------------------------------------- */
+/* --- common factors ------------------------------------------------------- */
 
 /* The lines of one span in one direction as a bundle, and back. */
 typedef struct {
@@ -253,8 +251,7 @@ static ix_status divide(ix_ctx *ctx, reduction *r, int dir)
     return IX_OK;
 }
 
-/* --- knots
- * -------------------------------------------------------------------------- */
+/* --- knots ---------------------------------------------------------------- */
 
 static int knots_of(const ix_mv *m)
 {
@@ -290,8 +287,7 @@ static ix_status difference(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
     return ix__form_bound(ctx, &d, gap);
 }
 
-/* --- all together
- * ------------------------------------------------------------------------ */
+/* --- all together --------------------------------------------------------- */
 
 /* Rows to size 1: exponents of weight and coordinates. */
 static ix_status normalise(ix_ctx *ctx, bool rational, ix_form *f, int exp[2])
@@ -366,7 +362,7 @@ static ix_status strip(ix_ctx *ctx, reduction *r, ix_mv **m, int *removed)
 
 static ix_status reduce(ix_ctx *ctx, const ix_mv *a, reduction *r, ix_mv **out)
 {
-    int exp[2], removed = 0;
+    int exp[2] = {0, 0}, removed = 0;
     ix_mv *m = NULL;
     ix_status st;
 

@@ -333,8 +333,7 @@ static void degree_forms(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- degenerate input
- * --------------------------------------------------------- */
+/* --- degenerate input ----------------------------------------------------- */
 
 static void expect(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, ix_status st,
                    const char *text)
@@ -401,8 +400,7 @@ static void degenerate_input(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- memory
- * --------------------------------------------------------------------- */
+/* --- memory --------------------------------------------------------------- */
 
 typedef struct {
     ix_mv *a, *b, *out;
