@@ -213,6 +213,53 @@ static void variations_are_counted(void **state)
     assert_false(undecided);
 }
 
+/* Largest and finite, whatever the length and the place. */
+static void rows_are_measured(void **state)
+{
+    double x[21];
+
+    (void)state;
+    for (size_t n = 1; n <= 21; n++)
+        for (size_t at = 0; at < n; at++) {
+            for (size_t i = 0; i < n; i++)
+                x[i] = i % 2 ? 1 : -1;
+            x[at] = -7;
+            assert_true(ix__bern_largest(n, x) == 7);
+            assert_true(ix__bern_finite(n, x));
+            x[at] = -HUGE_VAL;
+            assert_true(ix__bern_largest(n, x) == HUGE_VAL);
+            assert_false(ix__bern_finite(n, x));
+            x[at] = nan("");
+            assert_true(ix__bern_largest(n, x) == (n > 1));
+            assert_false(ix__bern_finite(n, x));
+        }
+    assert_true(ix__bern_largest(0, x) == 0);
+}
+
+/* Law: sum a_k u^k at the parameters of the Bernstein coefficients. */
+static void power_to_bernstein(void **state)
+{
+    ix_rng r = ix_rng_new(16);
+    double a[30], p[30], row[10];
+
+    (void)state;
+    for (int d = 0; d < 10; d++) {
+        double u = ix_rng_unit(&r);
+
+        random_row(&r, (d + 1) * 3, a);
+        memcpy(p, a, sizeof p);
+        ix__bern_from_power(d, 3, a);
+        ix__bern_scale(1, d, 3, ix__binom(d, row), a, a);
+        for (int i = 0; i < 3; i++) {
+            double s = 0;
+
+            for (int k = d; k >= 0; k--)
+                s = s * u + p[k * 3 + i];
+            ASSERT_CLOSE(column(d, a, i, u), s, 1e-13);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -223,6 +270,8 @@ int main(void)
         cmocka_unit_test(restriction_keeps_values),
         cmocka_unit_test(combination_sums),
         cmocka_unit_test(variations_are_counted),
+        cmocka_unit_test(rows_are_measured),
+        cmocka_unit_test(power_to_bernstein),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
