@@ -104,9 +104,11 @@ typedef struct {
 /* The same map in lower degree where that is possible within tol (relative to
  * the largest control value, of weights and of coordinates apart; 0 means
  * 1e-12): vanishing leading coefficients dropped, a factor in one direction
- * that all numerators and the weight have in common divided out, knots that
+ * that all numerators and the weight have in common divided out (looked for
+ * up to degree 160 in that direction), knots that
  * are not needed removed. Every step is checked by undoing it. If there is
- * nothing to do the result is a itself. rep may be NULL. Err IX_EARG tol < 0. */
+ * nothing to do the result is a itself. rep may be NULL. Err IX_EARG tol < 0.
+ */
 ix_status ix_sym_reduce(ix_ctx *ctx, const ix_mv *a, double tol,
                         ix_reduce_report *rep, ix_mv **out) IX_MUST_CHECK;
 

@@ -96,14 +96,14 @@ ix_status ix_sym_derive_axes(ix_ctx *ctx, const ix_mv *a, int dir, ix_mv **out)
 {
     ix_mark mk = ix__scratch_mark(ctx);
     ix_mv *plain = NULL;
-    ix_status st;
+    ix_status st = IX_OK;
 
     *out = NULL;
     IX_TRY(check_dir(ctx, a, dir));
     if (a->dirs[dir].periodic)
         st = ix_mv_to_float(ctx, a, &plain);
     else
-        plain = ix_mv_ref(a), st = IX_OK;
+        plain = ix_mv_ref(a);
     if (st == IX_OK)
         st = axes(ctx, plain, dir, out);
     ix_mv_unref(ctx, plain);

@@ -15,6 +15,9 @@
 /* Singular values below this part of the largest may be zeros: generous, for
  * proposals are checked. */
 #define PROPOSE 1e-7
+/* Beyond this degree a common factor is not looked for: the search is cubic,
+ * and a second long from here on. */
+#define MOST_DEGREE 160
 /* Rounds of fitting the factor and the quotients in turn. */
 enum { ROUNDS = 4 };
 
@@ -304,7 +307,7 @@ ix_status ix__common_factor(ix_ctx *ctx, const ix__bundle *b, int most,
     ix_status st = IX_OK;
 
     *k = 0;
-    if (b->d > 0 && most > 0)
+    if (b->d > 0 && b->d <= MOST_DEGREE && most > 0)
         st = search(ctx, b, most, h, k, change);
     if (*k == 0) {
         h[0] = 1.0;

@@ -155,7 +155,7 @@ ix_status ix__form_bilinear(ix_ctx *ctx, const ix_form *a, const ix_form *b,
  * need be. */
 ix_status ix__form_mul_add(ix_ctx *ctx, const ix_form *a, int sign,
                            const ix_form *b, ix_form *acc) IX_MUST_CHECK;
-/* f^k, k >= 0. */
+/* f^k row by row, k >= 0; k = 1: a view. */
 ix_status ix__form_power(ix_ctx *ctx, const ix_form *f, int k,
                          ix_form *out) IX_MUST_CHECK;
 /* All coefficients times a constant, in place. */

@@ -373,25 +373,31 @@ ix_status ix__form_mul_add(ix_ctx *ctx, const ix_form *a, int sign,
     return ix__form_narrow(ctx, dirs, acc);
 }
 
+static ix_status all_ones(ix_ctx *ctx, const ix_form *like, ix_form *out)
+{
+    double *one;
+
+    IX_SCRATCH(ctx, one, like->nrows);
+    for (int r = 0; r < like->nrows; r++)
+        one[r] = 1.0;
+    return ix__form_constant(ctx, like, like->nrows, one, out);
+}
+
 ix_status ix__form_power(ix_ctx *ctx, const ix_form *f, int k, ix_form *out)
 {
-    static const double one[IX_MAX_COORDS + 1] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
-                                                  1, 1, 1, 1, 1, 1, 1, 1, 1};
     ix_form base = *f;
     bool any = false;
 
+    if (k == 0)
+        return all_ones(ctx, f, out);
     for (; k > 0; k >>= 1) {
-        if (k & 1) {
-            if (any)
-                IX_TRY(ix__form_mul(ctx, out, &base, out));
-            else
-                *out = base;
-            any = true;
-        }
+        if ((k & 1) && any)
+            IX_TRY(ix__form_mul(ctx, out, &base, out));
+        if ((k & 1) && !any)
+            *out = base;
+        any |= k & 1;
         if (k > 1)
             IX_TRY(ix__form_mul(ctx, &base, &base, &base));
     }
-    if (!any)
-        return ix__form_constant(ctx, f, f->nrows, one, out);
     return IX_OK;
 }
