@@ -1,4 +1,5 @@
 /* measure.c - the size of long rows of numbers. */
+#include <limits.h>
 #include <math.h>
 
 #include "bern/bern.h"
@@ -16,8 +17,7 @@ IX__INLINE void take_larger(const ix__v4 *x, ix__v4 *y)
 
 IX__CLONES double ix__bern_largest(size_t n, const double *x)
 {
-    const v4i sign = {1ll << 62, 1ll << 62, 1ll << 62, 1ll << 62};
-    const v4i abs = ~(sign + sign);
+    const v4i abs = {LLONG_MAX, LLONG_MAX, LLONG_MAX, LLONG_MAX};
     ix__v4 a = {0}, b = {0};
     double big = 0.0;
     size_t i = 0;

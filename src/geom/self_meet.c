@@ -228,7 +228,7 @@ static ix_status run_pair(self *s, int m, int n, const double *x,
 static bool may_meet(const self *s, int i, int j)
 {
     for (int axis = 1; axis <= 2; axis++) {
-        double lo[2] = {INFINITY, INFINITY}, hi[2] = {-INFINITY, -INFINITY};
+        double lo[2] = {HUGE_VAL, HUGE_VAL}, hi[2] = {-HUGE_VAL, -HUGE_VAL};
 
         for (int e = 0; e < 2; e++)
             for (int k = 0; k <= s->d; k++) {

@@ -199,7 +199,7 @@ static double step(search *q, const graph *g, ix__mat m, double *x)
  * Newton's method finishes. The last step, or infinity. */
 static double correct(search *q, const graph *g, double *x)
 {
-    double last = INFINITY;
+    double last = HUGE_VAL;
     ix__mat m;
 
     memcpy(m, g->m, sizeof m);
@@ -210,7 +210,7 @@ static double correct(search *q, const graph *g, double *x)
             matrix_at(q, g, x, m);
         size = step(q, g, m, x);
         if (!(size < 4))
-            return INFINITY;
+            return HUGE_VAL;
         if (size <= 2 * UNIT || (last < 1e-7 && !(size < 0.5 * last)))
             return fmin(size, last);
         last = size;

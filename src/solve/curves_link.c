@@ -140,7 +140,7 @@ static bool same_arc(const ix__curves *s, int a, int b)
     const ix__arc *p = &s->arc[a], *q = &s->arc[b];
     const double *m = s->pts[p->first + p->n / 2].x;
     bool back = distance(s, end_point(s, 2 * a), end_point(s, 2 * b + 1)) < TIE;
-    double best = INFINITY;
+    double best = HUGE_VAL;
 
     if (!(distance(s, end_point(s, 2 * a), end_point(s, 2 * b + back)) < TIE &&
           distance(s, end_point(s, 2 * a + 1), end_point(s, 2 * b + !back)) <

@@ -86,8 +86,8 @@ static void inside(walk *w, const ix__poly_roots *r, double x0, double len)
 
         add(w, p->count == 1 ? IX_ROOT_SIMPLE : kind_of(p->count, sign, after),
             x0 + p->s * len, 0, p->count, sign, after);
-        q->lo = nextafter(fmin(x0 + p->lo * len, q->t), -INFINITY);
-        q->hi = nextafter(fmax(x0 + p->hi * len, q->t), INFINITY);
+        q->lo = nextafter(fmin(x0 + p->lo * len, q->t), -HUGE_VAL);
+        q->hi = nextafter(fmax(x0 + p->hi * len, q->t), HUGE_VAL);
         sign = after;
     }
 }
@@ -237,8 +237,8 @@ static ix_status find(ix_ctx *ctx, const ix_mv *f, int axis,
     bands(f, &sp, b, o, band);
     IX_TRY(ix__spans_roots(ctx, &sp, b, band, &all, &count));
     if (lo > hi) {
-        lo = -INFINITY;
-        hi = INFINITY;
+        lo = -HUGE_VAL;
+        hi = HUGE_VAL;
     }
     count = clip(all, count, lo, hi, all);
     if (count == 0)

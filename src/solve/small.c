@@ -48,7 +48,7 @@ static void eliminate(int n, ix__mat a, ix__mat inv, int c)
 
 bool ix__small_invert(int n, ix__mat a, ix__mat inv)
 {
-    double largest = 0, smallest = INFINITY;
+    double largest = 0, smallest = HUGE_VAL;
     ix__mat w;
 
     memcpy(w, a, sizeof w);

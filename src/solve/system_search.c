@@ -219,7 +219,7 @@ static void jacobian_at(search *q, const double *f, const double *x,
 static double newton(search *q, const double *f, const double *ferr, ix__mat m,
                      double *x)
 {
-    double d[IX_MAX_UNKNOWNS], last = INFINITY, err;
+    double d[IX_MAX_UNKNOWNS], last = HUGE_VAL, err;
     int n = q->sys->n;
     ix__mat jac, inv;
 

@@ -118,7 +118,7 @@ void ix__tensor_slope_range(const ix__shape *s, const double *c, int j,
                             double *lo, double *hi)
 {
     size_t inner = s->stride[j], m = (size_t)s->dims[j];
-    double a = INFINITY, b = -INFINITY;
+    double a = HUGE_VAL, b = -HUGE_VAL;
 
     if (m == 1) {
         *lo = *hi = 0;
@@ -142,8 +142,8 @@ static void layer_ranges(const ix__shape *s, const double *c, int j, double *lo,
     size_t inner = s->stride[j], m = (size_t)s->dims[j];
 
     for (size_t k = 0; k < m; k++) {
-        lo[k] = INFINITY;
-        hi[k] = -INFINITY;
+        lo[k] = HUGE_VAL;
+        hi[k] = -HUGE_VAL;
     }
     for (const double *p = c; p < c + s->size; p += inner * m)
         for (size_t k = 0; k < m; k++)
