@@ -136,6 +136,44 @@ ix_status ix__rows_raise(ix_ctx *ctx, int from, int to, ix_rows *out)
     return IX_OK;
 }
 
+/* Mean over k of the blossom at the n = d + 1 arguments without the k-th; the
+ * window is that of span mu. args[d] and part[d + 1] are room. */
+static void mean_blossom(const double *knots, int mu, int n, const double *tau,
+                         double *args, double *part, double *w)
+{
+    memset(w, 0, (size_t)n * sizeof *w);
+    for (int k = 0, run; k < n; k += run) {
+        for (run = 1; k + run < n && tau[k + run] == tau[k];)
+            run++;
+        memcpy(args, tau, (size_t)k * sizeof *args);
+        memcpy(args + k, tau + k + 1, (size_t)(n - 1 - k) * sizeof *args);
+        ix__blossom_weights(knots, mu, n - 1, args, part);
+        for (int q = 0; q < n; q++)
+            w[q] += part[q] * run / n;
+    }
+}
+
+ix_status ix__rows_raise_one(ix_ctx *ctx, const ix_dir *dir, int length,
+                             const double *knots, ix_rows *out)
+{
+    int o = dir->order, mu = o - 1, end = dir->length;
+    const double *t = dir->knots;
+    double *args, *part;
+
+    IX_TRY(ix__rows_alloc(ctx, length, o, out));
+    IX_SCRATCH(ctx, args, o);
+    IX_SCRATCH(ctx, part, o);
+    for (int i = 0; i < length; i++) {
+        while (mu < end - 1 && t[mu + 1] <= knots[i])
+            mu++;
+        out->first[i] = mu - (o - 1);
+        mean_blossom(t, mu, o, knots + i + 1, args, part,
+                     out->w + (size_t)i * (size_t)o);
+    }
+    ix__rows_weigh(out);
+    return IX_OK;
+}
+
 /* --- application -------------------------------------------------------- */
 
 typedef struct {

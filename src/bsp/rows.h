@@ -36,6 +36,12 @@ ix_status ix__rows_sample(ix_ctx *ctx, const ix_dir *dir, int n,
 ix_status ix__rows_raise(ix_ctx *ctx, int from, int to,
                          ix_rows *out) IX_MUST_CHECK;
 
+/* From an open B-spline direction to the order one higher, knots (open) with
+ * each distinct one of dir's once more: the mean of the blossom values that
+ * leave one argument out (Ramshaw 1989). Convex. */
+ix_status ix__rows_raise_one(ix_ctx *ctx, const ix_dir *dir, int length,
+                             const double *knots, ix_rows *out) IX_MUST_CHECK;
+
 /* Fills heavy, which the makers above do themselves. */
 void ix__rows_weigh(ix_rows *b);
 

@@ -51,10 +51,18 @@ ix_status ix__spans_target(ix_ctx *ctx, const ix_spans *sp, int max_cont,
  * rounding. The span is the one that amplifies rounding errors least: that
  * with the most of the knots concerned at its ends, and the longer of two.
  * in [outer][nspans * (degree + 1)][inner], out [outer][dir->length][inner];
- * no overlap. Shares out large work. */
+ * no overlap. Shares out large work. Where a single span would multiply errors
+ * by more than 10^4 (high degree with high continuity), ix__spans_fit takes
+ * over; IX_EUNABLE if it cannot. */
 ix_status ix__spans_compose(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
                             size_t outer, size_t inner, const double *in,
                             double *out) IX_MUST_CHECK;
+
+/* A bound of what composing from single spans multiplies relative errors by,
+ * the worst of all coefficients. */
+ix_status ix__spans_amplification(ix_ctx *ctx, const ix_spans *sp,
+                                  const ix_dir *dir,
+                                  double *worst) IX_MUST_CHECK;
 
 /* The extraction of one span as a matrix: row i holds the weights of the
  * control points c[mu - degree .. mu] in the Bernstein coefficient i over

@@ -171,6 +171,23 @@ static void high_order_compose(void **state)
     ix_mv_unref(ctx, m);
 }
 
+/* High order and simple knots: a single span would multiply errors by 10^21,
+ * the basis itself only by about (pi/2)^24 = 5 10^4. */
+static void smooth_high_order_compose(void **state)
+{
+    double knots[24 + 54], pts[54];
+    const ix_dir dir = {IX_BSPLINE, 24, 54, false, knots};
+    ix_mv *m;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_knots_make(ctx, IX_KV_OPEN, 24, 54, knots));
+    for (int i = 0; i < 54; i++)
+        pts[i] = ix_rng_range(&rng, -1, 1);
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 1, false, pts, &m));
+    round_trip(m, 0, 1e-10);
+    ix_mv_unref(ctx, m);
+}
+
 /* Composition takes the long span next to a very short one: the short one
  * would multiply rounding errors by 10^9. */
 static void compose_avoids_short_spans(void **state)
@@ -266,6 +283,7 @@ int main(void)
         cmocka_unit_test(extract_has_the_same_values),
         cmocka_unit_test(compose_undoes_extract),
         cmocka_unit_test(high_order_compose),
+        cmocka_unit_test(smooth_high_order_compose),
         cmocka_unit_test(compose_avoids_short_spans),
         cmocka_unit_test(breaks_and_continuity),
         cmocka_unit_test(power_is_refused),
