@@ -211,7 +211,7 @@ static int finish(int rc)
 {
     bool failed = fflush(stdout) != 0 || ferror(stdout);
 
-    if (failed && errno != EPIPE)
+    if (failed && rc == 0 && errno != EPIPE)
         (void)fprintf(stderr,
                       "iritx: error: cannot write standard output: "
                       "%s\n",

@@ -4,6 +4,7 @@
  * a whole right side, is reported here and the script goes on; anywhere else
  * it stops the script like any other failure. */
 #include <math.h>
+#include <string.h>
 
 #include "lang/interp_impl.h"
 
@@ -18,8 +19,9 @@ ix_status ix__tick(ix_interp *in)
         return IX_FAIL(in->ctx, IX_ECANCEL,
                        "the limit of %lu steps is used up (--max-steps)",
                        in->opt.steps);
-    if (in->out_failed)
-        return IX_FAIL(in->ctx, IX_EIO, "cannot write the output");
+    if (in->out_errno)
+        return IX_FAIL(in->ctx, IX_EIO, "cannot write the output: %s",
+                       strerror(in->out_errno));
     return ix__poll(in->ctx);
 }
 

@@ -75,8 +75,9 @@ struct ix_interp {
     FILE *out, *log; /* NULL: standard output; no log */
     FILE *err;       /* messages; NULL: standard error */
     char *log_name;
-    bool log_on, out_failed;
-    ix_buf text; /* of the value being printed */
+    bool log_on;
+    int out_errno; /* why output could not be written; 0: it could */
+    ix_buf text;   /* of the value being printed */
     ix_obj *viewed;
     char *root;       /* real path of the directory that files stay below */
     char *script_dir; /* ... of the script on the command line */

@@ -20,7 +20,7 @@ void ix__out(ix_interp *in, const char *s, size_t n)
     FILE *f = in->out ? in->out : stdout;
 
     if (n && fwrite(s, 1, n, f) != n)
-        in->out_failed = true;
+        in->out_errno = errno;
     if (in->log && in->log_on && !in->out)
         (void)fwrite(s, 1, n, in->log);
 }
@@ -28,7 +28,7 @@ void ix__out(ix_interp *in, const char *s, size_t n)
 void ix__flush(ix_interp *in)
 {
     if (fflush(stdout) != 0)
-        in->out_failed = true;
+        in->out_errno = errno;
 }
 
 /* --- places
@@ -135,7 +135,9 @@ void ix__report(ix_interp *in, bool soft)
     const ix__place *p = &in->place;
 
     ix__flush(in);
-    if (count(in)) {
+    if (in->out_errno == EPIPE) /* the reader has left: no news to it */
+        in->nerrors++;
+    else if (count(in)) {
         show_message(errors_to(in), p->unit, p->pos, soft ? SOFT : HARD,
                      ix_ctx_message(in->ctx));
         show_trace(errors_to(in), p);
