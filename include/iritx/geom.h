@@ -173,7 +173,7 @@ ix_status ix_length(ix_ctx *ctx, const ix_mv *crv, const double *range,
  * Out   *out   polynomial B-spline, domain [0, length]; corners are C0 knots
  *       *err   NULL, or receives the largest distance that was measured
  * Err   IX_EARG tol or order; IX_EDOMAIN poles, length 0; IX_EUNABLE too many
- *       knots would be needed */
+ *       knots would be needed, or tol is below rounding */
 ix_status ix_arclen(ix_ctx *ctx, const ix_mv *crv, double tol, int order,
                     double *err, ix_mv **out) IX_MUST_CHECK;
 
@@ -339,7 +339,7 @@ typedef struct {
  * square over the parameter) to all coarser splines.
  *
  * Out   *out  open B-splines on the curve's domain; each in its own space
- * Err   IX_EARG rational
+ * Err   IX_EARG rational; IX_EUNABLE more than 4096 wavelets
  * Num   the sum is the curve up to rounding
  * Src   Elber and Gotsman 1995; Kazinnik and Elber 1997 */
 ix_status ix_multires_split(ix_ctx *ctx, const ix_mv *crv, ix_multires how,
@@ -446,6 +446,33 @@ ix_status ix_fit_cloud(ix_ctx *ctx, int n, int ncoords, const double *pts,
 ix_status ix_fit_cloud_start(ix_ctx *ctx, int n, int ncoords, const double *pts,
                              int length, int order, bool periodic,
                              ix_mv **out) IX_MUST_CHECK;
+
+/* --- conics of distances
+ * ------------------------------------------------------- */
+
+/* Polylines: n of them, count[i] points each, one after the other in pt. */
+typedef struct {
+    int n;
+    int *count;
+    double (*pt)[3];
+    size_t bytes;
+} ix_lines;
+void ix_lines_free(ix_ctx *ctx, ix_lines *l);
+
+/* Points of the plane whose distances to two curves (x and y count), measured
+ * along normals, add up to sum: the scalar field over their parameters (s, t)
+ * that vanishes where the normals at C1(s), C2(t) meet in such a point. It
+ * vanishes too where a difference of the distances is +-sum, and where the
+ * normals are one line. Polynomial, E1.
+ *
+ * Err   IX_EARG not two planar curves, sum not positive */
+ix_status ix_conic_distance(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                            double sum, ix_mv **out) IX_MUST_CHECK;
+/* The locus itself, without the differences: polylines in (s, t, 0), or of the
+ * points (x, y, 0). tol as in ix_curves_opts. */
+ix_status ix_conic_locus(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                         double sum, bool euclid, double tol,
+                         ix_lines *out) IX_MUST_CHECK;
 
 #ifdef __cplusplus
 }

@@ -382,6 +382,12 @@ static ix_status arclen(ix_ctx *ctx, const ix_mv *crv, double tol, int order,
     IX_TRY(ix__path_new(ctx, crv, &p));
     IX_TRY(ix__path_no_poles(ctx, &p));
     f.p = &p;
+    /* points themselves are good to some 1e-16 of the size */
+    if (!(tol > 1e-15 * ix__path_size(&p)))
+        return IX_FAIL(ctx, IX_EUNABLE,
+                       "tolerance %g is below the rounding of a curve of size "
+                       "%g",
+                       tol, ix__path_size(&p));
     IX_SCRATCH(ctx, f.basis, order);
     IX_TRY(make_nodes(ctx, &f));
     IX_TRY(first_cells(ctx, &f));

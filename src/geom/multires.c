@@ -132,6 +132,8 @@ static ix_status decompose(ix_ctx *ctx, const ix_mv *open, ix_multires how,
 
     IX_SCRATCH(ctx, drop, ix_knots_count(&open->dirs[0]));
     IX_TRY(count_steps(ctx, open, how.keep_jumps, single, drop, &n));
+    if (n > 4096) /* all together n^2 control points */
+        return IX_FAIL(ctx, IX_EUNABLE, "%d wavelets: more than 4096", n);
     IX_TRY(ix__crvs_new(ctx, n + 1, out));
     for (int i = 0; i <= n; i++)
         ix_mv_domain(open, 0, out->t + 2 * i);

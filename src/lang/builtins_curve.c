@@ -1,10 +1,12 @@
 /* builtins_curve.c - chapter 7: functions that make curves and the plane
  * figures that belong to them. Each one fetches, calls and returns. */
 #include <limits.h>
+#include <string.h>
 
 #include "iritx/geom.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
+#include "lang/interp.h"
 
 /* --- from control points -------------------------------------------------- */
 
@@ -202,14 +204,67 @@ static ix_status pinterp(ix_call *c)
  * -------------------------------------------------------
  */
 
+/* The lines as one object of polylines. */
+static ix_status ret_lines(ix_call *c, const ix_lines *l)
+{
+    ix_poly *p = ix__poly_new(c->ctx, l->n);
+    ix_status st = p ? IX_OK : IX_ENOMEM;
+    size_t at = 0;
+
+    for (int i = 0; st == IX_OK && i < l->n; i++) {
+        p->poly[i].kind = IX_POLYLINE;
+        st = ix__poly_vertices(c->ctx, &p->poly[i], l->count[i]);
+        for (int v = 0; st == IX_OK && v < l->count[i]; v++)
+            memcpy(p->poly[i].v[v].p, l->pt[at++], sizeof l->pt[0]);
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_poly(c->ctx, p));
+    if (p)
+        ix__poly_unref(c->ctx, p);
+    return st;
+}
+
+/* Two curves: argument 2 the sum of distances, 3 what is wanted. */
+static ix_status conic_of_curves(ix_call *c)
+{
+    const ix_mv **crv;
+    double fineness = ix__var_num(c->in, "RESOLUTION", 20);
+    int n, mode;
+    ix_lines l;
+    ix_mv *srf;
+    ix_status st;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    if (n != 2)
+        return IX_ARG_FAIL(c, 0, "two curves are needed, not %d", n);
+    if (c->argv[2]->type != IX_OBJ_NUMBER || c->argv[3]->type != IX_OBJ_NUMBER)
+        return IX_ARG_FAIL(c, 2, "a sum of distances and 0, 1 or 2 are needed");
+    IX_TRY(ix__arg_int(c, 3, 0, 2, &mode));
+    if (mode == 0) {
+        IX_TRY(
+            ix_conic_distance(c->ctx, crv[0], crv[1], ix__arg_num(c, 2), &srf));
+        return ix__ret_mv(c, -1, srf);
+    }
+    /* chords as long as a cell of such a grid */
+    fineness = fineness >= 1 ? fineness : 1;
+    IX_TRY(ix_conic_locus(c->ctx, crv[0], crv[1], ix__arg_num(c, 2), mode == 2,
+                          1 / (8 * fineness * fineness), &l));
+    st = ret_lines(c, &l);
+    ix_lines_free(c->ctx, &l);
+    return st;
+}
+
 /* Arguments 2, 3: both off (the whole), both numbers, both points. */
 static ix_status conicsec(ix_call *c)
 {
     double range[2], p[2][3], z = ix__arg_num(c, 1);
     const double *coef;
     bool num = c->argv[2]->type == IX_OBJ_NUMBER;
+    const ix_list *list = &c->argv[0]->u.list;
     ix_mv *crv;
 
+    if (list->n > 0 && list->item[0]->type == IX_OBJ_CURVE)
+        return conic_of_curves(c);
     IX_TRY(ix__arg_nums_n(c, 0, 6, &coef));
     if (num != (c->argv[3]->type == IX_OBJ_NUMBER))
         return IX_ARG_FAIL(c, 3, "both ends are numbers or both are points");
@@ -300,9 +355,10 @@ const ix_builtin ix__builtins_curve[] = {
      "c = cinterp(list(point(0,0,0), point(1,1,0), point(2,0,0)), 3, 0, "
      "PARAM_UNIFORM, false);",
      cinterp, 0, 7},
-    {"CONICSEC", "coefs:list z:num a:num|pt3 b:num|pt3 -> curve",
+    {"CONICSEC", "coefs:list z:num a:num|pt3 b:num|pt3 -> any",
      "Conic Ax^2+Bxy+Cy^2+Dx+Ey+F=0 at height z: whole (off, off), between "
-     "parameters or between points.",
+     "parameters or between points. Of list(c1, c2): points whose distances "
+     "add up to a; b 0 the field over (t1, t2), 1 its zeros, 2 the points.",
      "c = conicsec(list(1,0,4,0,0,-1), 0, off, off);", conicsec, 0, 7},
     {"CHELIX",
      "loops:num pitch:num radius:num samples:num perloop:num -> curve",
