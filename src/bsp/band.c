@@ -88,7 +88,7 @@ static bool absorb_edge(ix_band *b, double *edge, double *rhs)
     int p = b->border;
 
     for (int j = 0; j < p; j++) {
-        size_t row = (size_t)(b->n - p + j);
+        size_t row = (size_t)b->n - (size_t)p + (size_t)j;
         double *e = b->edge + row * (size_t)p, c, s;
         double *y = b->rhs + row * (size_t)b->nrhs;
 

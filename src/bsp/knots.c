@@ -97,8 +97,11 @@ static void knots_open(int order, int length, int mult, double *knots)
         knots[i] = 0;
         knots[length + i] = 1;
     }
-    for (int i = order; i < length; i++)
-        knots[i] = (double)((i - order) / mult + 1) / pieces;
+    for (int i = order; i < length; i++) {
+        int piece = (i - order) / mult + 1;
+
+        knots[i] = (double)piece / pieces;
+    }
 }
 
 ix_status ix_knots_make(ix_ctx *ctx, ix_kv_kind kind, int order, int length,

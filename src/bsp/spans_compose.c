@@ -46,9 +46,12 @@ static double int_power(double x, int n)
 {
     double p = 1;
 
-    for (; n > 0; n >>= 1, x *= x)
+    while (n > 0) {
         if (n & 1)
             p *= x;
+        x *= x;
+        n >>= 1;
+    }
     return p;
 }
 

@@ -227,13 +227,13 @@ IX__CLONES static void box_kernel(const job *jb, size_t n, const double *coefs,
 
     for (size_t i = 0; i < n; i++) {
         const double *c = coefs + box[i];
-        size_t rows = jb->rows, row = GROUP * (size_t)(jb->degree[0] + 1);
+        size_t rows = jb->rows, row = GROUP * ((size_t)jb->degree[0] + 1);
 
         for (size_t r = 0; r < rows; r++)
             fold(jb->degree[0], c + r * row, GROUP, u[i],
                  ix__vec(buf + GROUP * r));
         for (int d = 1; d < jb->m->ndirs; d++) {
-            size_t o = (size_t)(jb->degree[d] + 1);
+            size_t o = (size_t)jb->degree[d] + 1;
 
             rows /= o;
             for (size_t r = 0; r < rows; r++)

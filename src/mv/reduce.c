@@ -52,10 +52,9 @@ static void range(const ix_mv *m, int axis, double *least, double *most)
 static double change(const ix_mv *m, size_t outer, const double *err)
 {
     size_t each = outer / (size_t)m->naxes;
-    double axis[IX_MAX_COORDS + 1], worst = 0, wmin, w, most, least;
+    double axis[IX_MAX_COORDS + 1] = {0}, worst = 0, wmin, w, most, least;
 
     for (int a = 0; a < m->naxes; a++) {
-        axis[a] = 0;
         for (size_t i = 0; i < each; i++)
             axis[a] = fmax(axis[a], err[(size_t)a * each + i]);
     }
@@ -178,7 +177,7 @@ static void raise_jumps(int degree, const double *b, size_t step,
 static int add_candidates(const pieces *p, int j, double *buf, candidate *out)
 {
     int degree = p->sp.degree, c = p->sp.cont[j - 1], n = 0;
-    size_t span = (size_t)(degree + 1), all = (size_t)p->sp.nspans * span;
+    size_t span = (size_t)degree + 1, all = (size_t)p->sp.nspans * span;
     double *jump = buf + 2 * span, worst = 0;
     double h[2] = {p->sp.breaks[j] - p->sp.breaks[j - 1],
                    p->sp.breaks[j + 1] - p->sp.breaks[j]};

@@ -145,6 +145,24 @@ static void region_of_a_circle(void **state)
     ix_mv_unref(ctx, m);
 }
 
+/* At a jump each side keeps its own limit; near a knot means at it. */
+static void split_at_a_jump(void **state)
+{
+    const double knots[] = {0, 0, 1, 1, 2, 2}, pts[] = {0, 1, 5, 6};
+    const ix_dir dir = {IX_BSPLINE, 2, 4, false, knots};
+    ix_mv *m, *half[2];
+
+    (void)state;
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 1, false, pts, &m));
+    ASSERT_OK(ctx, ix_mv_split(ctx, m, 0, 1 + 1e-13, half));
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(ix_mv_npts(half[k]), 2);
+        assert_memory_equal(ix_mv_axis(half[k], 0), pts + 2 * k, 16);
+        ix_mv_unref(ctx, half[k]);
+    }
+    ix_mv_unref(ctx, m);
+}
+
 /* Law: a Bezier region extrapolates: its value at u is m's at t0 + u (t1-t0),
  * whatever the interval. */
 static void bezier_regions(void **state)
@@ -342,12 +360,19 @@ static void errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(kinds_of_knots), cmocka_unit_test(power_basis),
-        cmocka_unit_test(inserted_knots), cmocka_unit_test(raised),
-        cmocka_unit_test(regions),        cmocka_unit_test(region_of_a_circle),
-        cmocka_unit_test(bezier_regions), cmocka_unit_test(insertion_is_local),
-        cmocka_unit_test(high_orders),    cmocka_unit_test(raised_to_400),
-        cmocka_unit_test(raised_smooth),  cmocka_unit_test(six_directions),
+        cmocka_unit_test(kinds_of_knots),
+        cmocka_unit_test(power_basis),
+        cmocka_unit_test(inserted_knots),
+        cmocka_unit_test(raised),
+        cmocka_unit_test(regions),
+        cmocka_unit_test(region_of_a_circle),
+        cmocka_unit_test(split_at_a_jump),
+        cmocka_unit_test(bezier_regions),
+        cmocka_unit_test(insertion_is_local),
+        cmocka_unit_test(high_orders),
+        cmocka_unit_test(raised_to_400),
+        cmocka_unit_test(raised_smooth),
+        cmocka_unit_test(six_directions),
         cmocka_unit_test(errors),
     };
 
