@@ -253,8 +253,12 @@ static size_t chunks_of(size_t n, double ns)
 static ix_status index_terms(ix_ctx *ctx, int nrows, int nterms,
                              const ix_form_term *terms, const int **out)
 {
+    static const int single[2] = {0, 1};
     int *first, k = 0;
 
+    *out = single;
+    if (nrows == 1 && nterms == 1)
+        return IX_OK;
     IX_SCRATCH(ctx, first, nrows + 1);
     for (int r = 0; r <= nrows; r++) {
         while (k < nterms && terms[k].row < r)
@@ -320,11 +324,15 @@ ix_status ix__form_bilinear(ix_ctx *ctx, const ix_form *a, const ix_form *b,
 static ix_status row_terms(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                            int sign, int *n, const ix_form_term **out)
 {
+    static const ix_form_term one[2] = {{0, 0, 0, 1}, {0, 0, 0, -1}};
     ix_form_term *t;
 
     *n = a->nrows > b->nrows ? a->nrows : b->nrows;
     assert(a->nrows == *n || a->nrows == 1);
     assert(b->nrows == *n || b->nrows == 1);
+    *out = &one[sign < 0];
+    if (*n == 1)
+        return IX_OK;
     IX_SCRATCH(ctx, t, *n);
     for (int r = 0; r < *n; r++)
         t[r] = (ix_form_term){r, a->nrows > 1 ? r : 0, b->nrows > 1 ? r : 0,
