@@ -167,7 +167,7 @@ static void test_many_attributes(void **state)
 
     (void)state;
     for (int i = 0; i < 1001; i++)
-        (void)snprintf(text + strlen(text), 8, "[a%d]", i);
+        (void)snprintf(text + strlen(text), 16, "[a%d]", i);
     refused(text, "1:5899: error: more than 1000 attributes");
 }
 
