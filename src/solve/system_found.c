@@ -76,26 +76,43 @@ static void sort(ix_solution *s, int count, int n)
     }
 }
 
-/* Undecided boxes that touch grow together; sorted by x[0], so only a window
- * of them is compared. */
-static ix_status merge_open(ix__found *f, int n, const double *edge)
+/* The largest edge of a box, as a part of the domain's. */
+static double size_of(const ix_solution *s, int n, const double *edge)
 {
-    int *up, out = 0;
+    double size = 0;
 
-    IX_SCRATCH(f->ctx, up, f->n);
-    for (int i = 0; i < f->n; i++)
+    for (int j = 0; j < n; j++)
+        size = fmax(size, (s->hi[j] - s->lo[j]) / edge[j]);
+    return size;
+}
+
+/* One round of joining undecided boxes that are no further apart than NEAR
+ * times their own size, for what one multiple root leaves behind is scattered
+ * by rounding. Sorted by x[0], so only a window of width reach is compared. */
+#define NEAR 2.0
+static int join_round(ix__found *f, int n, const double *edge, int *up)
+{
+    double reach = 0;
+    int out = 0;
+
+    for (int i = 0; i < f->n; i++) {
         up[i] = i;
-    for (int i = 0; i < f->n; i++)
-        for (int k = i - 1; k >= 0; k--) {
-            if (f->sol[i].certified)
+        if (!f->sol[i].certified)
+            reach = fmax(reach, (1 + NEAR) * size_of(&f->sol[i], n, edge));
+    }
+    for (int i = 0; i < f->n; i++) {
+        double own = size_of(&f->sol[i], n, edge);
+
+        for (int k = i - 1; k >= 0 && !f->sol[i].certified; k--) {
+            double gap = NEAR * fmin(own, size_of(&f->sol[k], n, edge));
+
+            if (f->sol[i].x[0] - f->sol[k].x[0] > 2 * reach * edge[0])
                 break;
-            if (f->sol[k].certified)
-                continue;
-            if (f->sol[i].lo[0] - f->sol[k].lo[0] > 1e-3 * edge[0])
-                break;
-            if (meet(&f->sol[i], &f->sol[k], n, edge, 1e-9))
+            if (!f->sol[k].certified &&
+                meet(&f->sol[i], &f->sol[k], n, edge, fmax(gap, 1e-9)))
                 up[root_of(up, i)] = root_of(up, k);
         }
+    }
     for (int i = 0; i < f->n; i++) {
         int r = root_of(up, i);
 
@@ -105,8 +122,23 @@ static ix_status merge_open(ix__found *f, int n, const double *edge)
     for (int i = 0; i < f->n; i++)
         if (root_of(up, i) == i)
             f->sol[out++] = f->sol[i];
-    f->n = out;
-    return IX_OK;
+    return out;
+}
+
+/* Until nothing changes: joined boxes are larger and reach further. */
+static ix_status merge_open(ix__found *f, int n, const double *edge)
+{
+    int *up;
+
+    IX_SCRATCH(f->ctx, up, f->n);
+    for (;;) {
+        int left = join_round(f, n, edge, up);
+
+        if (left == f->n)
+            return IX_OK;
+        f->n = left;
+        sort(f->sol, f->n, n);
+    }
 }
 
 /* Two certified boxes that meet hold the same solution: each excludes a

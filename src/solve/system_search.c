@@ -12,6 +12,12 @@
 #define UNIT      (DBL_EPSILON / 2)
 #define MAX_DEPTH 400
 #define SHRUNK    0.7 /* a round that leaves more of every edge has stalled */
+#define NOISE     4   /* errors that a value may have and be called noise */
+#define THIN                                                                \
+    1e-3 /* a box is not shrunk to less than this in one round, nor to      \
+            less than this part of its longest edge: a thin box, or one as  \
+            small as the rounding errors, leaves no room for the proof that \
+            the solution in it is the only one */
 
 typedef struct ix__search {
     ix__system *sys;
@@ -100,13 +106,29 @@ static void combine(search *q, const ix__box *b, ix__mat m, double *err)
     }
 }
 
+static double part_of_domain(const ix__system *s, const ix__box *b, int j)
+{
+    return (b->hi[j] - b->lo[j]) / s->edge[j];
+}
+
+/* Widens [*a, *e] within [0, 1] to at least `least`, or THIN. */
+static void keep_room(double *a, double *e, double least)
+{
+    double c = 0.5 * (*a + *e), half = 0.5 * fmax(least, THIN);
+
+    if (*e - *a >= 2 * half)
+        return;
+    *a = fmax(0, c - half);
+    *e = fmin(1, c + half);
+}
+
 /* Shrinks the box by equation g_i in direction j (its own when the
  * preconditioner is the inverse, else every one). False: no solution in it. */
 static bool reduce(search *q, ix__box *b, const double *err, bool diagonal,
                    bool *shrunk)
 {
     const ix__system *s = q->sys;
-    double a[IX_MAX_UNKNOWNS] = {0}, e[IX_MAX_UNKNOWNS];
+    double a[IX_MAX_UNKNOWNS] = {0}, e[IX_MAX_UNKNOWNS], longest = 0;
 
     for (int j = 0; j < s->n; j++)
         e[j] = 1;
@@ -122,18 +144,16 @@ static bool reduce(search *q, ix__box *b, const double *err, bool diagonal,
             a[j] = fmax(a[j], x);
             e[j] = fmin(e[j], y);
         }
-    *shrunk = false;
     for (int j = 0; j < s->n; j++) {
         if (a[j] > e[j])
             return false;
+        longest = fmax(longest, (e[j] - a[j]) * part_of_domain(s, b, j));
+    }
+    *shrunk = false;
+    for (int j = 0; j < s->n; j++) {
+        keep_room(a + j, e + j, THIN * longest / part_of_domain(s, b, j));
         if (e[j] - a[j] > SHRUNK)
             continue;
-        if (e[j] - a[j] < 1e-3) { /* leave room for Newton's test */
-            double c = 0.5 * (a[j] + e[j]);
-
-            a[j] = fmax(0, c - 5e-4);
-            e[j] = fmin(1, c + 5e-4);
-        }
         shrink(s, b, j, a[j], e[j]);
         *shrunk = true;
     }
@@ -404,6 +424,22 @@ static ix_status report_open(search *q, const ix__box *b)
     return ix__found_add(q->found, &r);
 }
 
+/* Whether some combination of the equations is, on all of the box, as small
+ * as its own error: then smaller boxes will not decide more. */
+static bool below_noise(const search *q, const double *err)
+{
+    const ix__system *s = q->sys;
+
+    for (int i = 0; i < s->n; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&s->shape, q->g + (size_t)i * s->shape.size, &lo, &hi);
+        if (fmax(-lo, hi) <= NOISE * err[i])
+            return true;
+    }
+    return false;
+}
+
 static ix_status push_halves(search *q)
 {
     const ix__system *s = q->sys;
@@ -433,9 +469,9 @@ static ix_status examine(search *q)
 {
     ix__box *b = &q->stack[q->top];
     const ix__system *s = q->sys;
+    double err[IX_MAX_UNKNOWNS];
 
     for (int round = 0; round < 20; round++) {
-        double err[IX_MAX_UNKNOWNS];
         ix__mat jac, m;
         bool regular, shrunk;
         verdict v;
@@ -461,6 +497,10 @@ static ix_status examine(search *q)
         }
         if (!shrunk)
             break;
+    }
+    if (below_noise(q, err)) {
+        q->top--;
+        return report_open(q, b);
     }
     return push_halves(q);
 }

@@ -1,0 +1,627 @@
+/* Systems of n equations in n unknowns with known solutions: nothing lost,
+ * nothing doubled, certified where regular. */
+#include "harness/fault.h"
+#include "harness/randmv.h"
+#include "solvetest.h"
+
+IX_TEST_FIXTURE(20260711)
+
+static long verified; /* roots, over the whole file */
+
+typedef struct {
+    const char *name;
+    int n, neq;
+    const char *eq[6];
+    double lo, hi; /* of every variable */
+    int certified, open;
+} sys_case;
+
+static void to_box(double (*box)[2], int n, const double *t, double *x)
+{
+    for (int j = 0; j < n; j++)
+        x[j] = box[j][0] + t[j] * (box[j][1] - box[j][0]);
+}
+
+static ix_solutions solve_text(int n, int neq, const char *const *text,
+                               double (*box)[2], const ix_relation *rel,
+                               const ix_solve_opts *o)
+{
+    ix_equation eq[6] = {{NULL, 0, IX_EQUAL_ZERO}};
+    ix_mv *m[6];
+    ix_solutions s;
+
+    for (int i = 0; i < neq; i++) {
+        m[i] = st_mv(ctx, text[i], n, box);
+        eq[i] = (ix_equation){m[i], 0, rel ? rel[i] : IX_EQUAL_ZERO};
+    }
+    ASSERT_OK(ctx, ix_solve(ctx, neq, eq, o, &s));
+    for (int i = 0; i < neq; i++)
+        ix_mv_unref(ctx, m[i]);
+    return s;
+}
+
+static void fill(double (*box)[2], double lo, double hi)
+{
+    for (int j = 0; j < 6; j++) {
+        box[j][0] = lo;
+        box[j][1] = hi;
+    }
+}
+
+static int count_certified(const ix_solutions *s)
+{
+    int n = 0;
+
+    for (int i = 0; i < s->n; i++)
+        n += s->sol[i].certified;
+    return n;
+}
+
+/* Law: every certified solution annuls the text itself; no two share a box. */
+static void check_roots(const char *name, int n, int neq,
+                        const char *const *text, double (*box)[2],
+                        const ix_solutions *s)
+{
+    for (int i = 0; i < s->n; i++) {
+        double x[6];
+
+        to_box(box, n, s->sol[i].x, x);
+        for (int k = 0; k < neq && s->sol[i].certified; k++)
+            /* 1e-12 of the size of the largest case's terms, 1e2 */
+            if (!(fabs(st_value(text[k], x)) <= 1e-10))
+                fail_msg("%s: solution %d: equation %d is %g", name, i, k,
+                         st_value(text[k], x));
+        for (int k = 0; k < i; k++) {
+            int apart = 0;
+
+            for (int j = 0; j < n; j++)
+                apart |= s->sol[i].lo[j] > s->sol[k].hi[j] ||
+                         s->sol[k].lo[j] > s->sol[i].hi[j];
+            if (!apart)
+                fail_msg("%s: solutions %d and %d overlap", name, k, i);
+        }
+        verified += s->sol[i].certified;
+    }
+}
+
+/* Law: every root that Newton finds from anywhere is among the solutions. */
+static void check_complete(const char *name, int n, const char *const *text,
+                           double (*box)[2], const ix_solutions *s, int starts)
+{
+    for (int k = 0; k < starts; k++) {
+        double x[6];
+        int hit = 0;
+
+        for (int j = 0; j < n; j++)
+            x[j] = ix_rng_range(&rng, box[j][0], box[j][1]);
+        if (!st_newton(n, text, box, x))
+            continue;
+        for (int i = 0; i < s->n && !hit; i++) {
+            hit = 1;
+            for (int j = 0; j < n; j++) {
+                double len = box[j][1] - box[j][0];
+                double t = (x[j] - box[j][0]) / len;
+
+                hit &= t >= s->sol[i].lo[j] - 1e-6 &&
+                       t <= s->sol[i].hi[j] + 1e-6;
+            }
+        }
+        if (!hit)
+            fail_msg("%s: lost (%.17g, %.17g, ...)", name, x[0], x[1]);
+    }
+}
+
+static void run_case(const sys_case *c, int starts)
+{
+    double box[6][2];
+    ix_solutions s;
+
+    fill(box, c->lo, c->hi);
+    s = solve_text(c->n, c->neq, c->eq, box, NULL, NULL);
+    print_message("# %s: %zu boxes, %d certified, %d open\n", c->name, s.boxes,
+                  count_certified(&s), s.n - count_certified(&s));
+    check_roots(c->name, c->n, c->neq, c->eq, box, &s);
+    if (c->n == c->neq)
+        check_complete(c->name, c->n, c->eq, box, &s, starts);
+    if (count_certified(&s) != c->certified ||
+        s.n - count_certified(&s) != c->open)
+        fail_msg("%s: %d certified and %d open, expected %d and %d", c->name,
+                 count_certified(&s), s.n - count_certified(&s), c->certified,
+                 c->open);
+    assert_true(s.complete);
+    ix_solutions_free(ctx, &s);
+}
+
+/* The positions of two conics with real points in common, by multiplicity;
+ * boxes with odd ends, so that no root lies on a split. */
+static void two_conics(void **state)
+{
+    static const sys_case cases[] = {
+        {"1111",
+         2,
+         2,
+         {"x^2 + y^2 - 1", "0.25*x^2 + 4*y^2 - 1"},
+         -2.1,
+         2.3,
+         4,
+         0},
+        {"11", 2, 2, {"x^2 + y^2 - 1", "(x - 1)^2 + y^2 - 1"}, -2.1, 2.3, 2, 0},
+        {"none",
+         2,
+         2,
+         {"x^2 + y^2 - 1", "(x - 3)^2 + y^2 - 1"},
+         -4.1,
+         4.3,
+         0,
+         0},
+        {"211", 2, 2, {"x^2 + y^2 - 1", "y - x^2 + 1"}, -2.1, 2.3, 2, 1},
+        {"2", 2, 2, {"x^2 + y^2 - 1", "(x - 2)^2 + y^2 - 1"}, -2.1, 3.3, 0, 1},
+        {"22", 2, 2, {"x^2 + y^2 - 1", "0.25*x^2 + y^2 - 1"}, -2.1, 2.3, 0, 2},
+        {"31",
+         2,
+         2,
+         {"y - x^2", "(x + 4)^2 + (y - 3.5)^2 - 31.25"},
+         -4.1,
+         10.3,
+         1,
+         1},
+        {"4", 2, 2, {"y - x^2", "x^2 + (y - 0.5)^2 - 0.25"}, -2.1, 2.3, 0, 1}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        run_case(&cases[i], 200);
+}
+
+static void classics(void **state)
+{
+    static const sys_case cases[] = {
+        {"two cubics",
+         2,
+         2,
+         {"4*x^3 - 3*x - 0.1*y", "4*y^3 - 3*y - 0.1*x"},
+         -1.2,
+         1.3,
+         9,
+         0},
+        {"cyclic-3",
+         3,
+         3,
+         {"x + y + z", "x*y + y*z + z*x", "x*y*z - 1"},
+         -3.1,
+         3.3,
+         0,
+         0},
+        {"katsura-2",
+         3,
+         3,
+         {"x + 2*y + 2*z - 1", "x^2 + 2*y^2 + 2*z^2 - x", "2*x*y + 2*y*z - y"},
+         -1.1,
+         1.3,
+         4,
+         0},
+        {"katsura-3",
+         4,
+         4,
+         {"x + 2*y + 2*z + 2*w - 1", "x^2 + 2*y^2 + 2*z^2 + 2*w^2 - x",
+          "2*x*y + 2*y*z + 2*z*w - y", "2*x*z + y^2 + 2*y*w - z"},
+         -1.1,
+         1.3,
+         6,
+         0},
+        {"2R arm",
+         4,
+         4,
+         {"x^2 + y^2 - 1", "z^2 + w^2 - 1", "2*x + 1.5*(x*z - y*w) - 1.2",
+          "2*y + 1.5*(y*z + x*w) - 1.9"},
+         -1.2,
+         1.3,
+         2,
+         0},
+        {"three spheres",
+         3,
+         3,
+         {"x^2 + y^2 + z^2 - 1", "(x - 0.7)^2 + y^2 + z^2 - 1.1",
+          "x^2 + (y - 0.4)^2 + (z - 0.3)^2 - 0.9"},
+         -2.1,
+         2.3,
+         2,
+         0},
+        {"overdetermined, met",
+         2,
+         3,
+         {"x^2 + y^2 - 2", "x - y", "x^3 - y^3"},
+         -2.1,
+         2.3,
+         2,
+         0},
+        {"overdetermined, missed",
+         2,
+         3,
+         {"x^2 + y^2 - 2", "x - y", "x + y - 1"},
+         -2.1,
+         2.3,
+         0,
+         0},
+        {"near tangent", 2, 2, {"y - x^2", "y - 0.00000001"}, -1.1, 1.3, 2, 0},
+        {"just apart", 2, 2, {"y - x^2", "y + 0.00000001"}, -1.1, 1.3, 0, 0}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        run_case(&cases[i], 100);
+}
+
+/* Roots at the corners, on the edges and in the middle of the domain. */
+static void on_the_boundary(void **state)
+{
+    static const sys_case cases[] = {
+        {"grid of 9", 2, 2, {"x*(x^2 - 1)", "y*(y^2 - 1)"}, -1, 1, 9, 0},
+        {"corners", 2, 2, {"x^2 - 1", "y^2 - 1"}, -1, 1, 4, 0},
+        {"edges", 2, 2, {"x^2 + y^2 - 1", "x*y"}, -1, 1, 4, 0},
+        {"corner touch", 2, 2, {"x - 1", "x + y - 2"}, -1, 1, 1, 0}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        run_case(&cases[i], 100);
+}
+
+static void inequalities(void **state)
+{
+    static const char *const text[] = {"x^2 + y^2 - 1", "x - y", "x"};
+    ix_relation rel[] = {IX_EQUAL_ZERO, IX_EQUAL_ZERO, IX_AT_LEAST_ZERO};
+    double box[6][2];
+    ix_solutions s;
+
+    (void)state;
+    fill(box, -2.1, 2.3);
+    for (int k = 0; k < 2; k++) {
+        double x[2];
+
+        rel[2] = k ? IX_AT_MOST_ZERO : IX_AT_LEAST_ZERO;
+        s = solve_text(2, 3, text, box, rel, NULL);
+        assert_int_equal(s.n, 1);
+        to_box(box, 2, s.sol[0].x, x);
+        ASSERT_CLOSE(x[0], (k ? -1 : 1) * sqrt(0.5), 1e-14);
+        ix_solutions_free(ctx, &s);
+    }
+}
+
+/* Law: scaling an equation or the domain changes nothing. */
+static void scales(void **state)
+{
+    static const char *const sizes[] = {"0.00000001", "100000000",
+                                        "1234567890123456789"};
+    double box[6][2];
+
+    (void)state;
+    fill(box, -2.1, 2.3);
+    for (int k = 0; k < 3; k++) {
+        char a[80];
+        const char *text[2] = {a, "0.25*x^2 + 4*y^2 - 1"};
+        ix_solutions s;
+
+        snprintf(a, sizeof a, "%s*(x^2 + y^2 - 1)", sizes[k]);
+        s = solve_text(2, 2, text, box, NULL, NULL);
+        assert_int_equal(s.n, 4);
+        for (int i = 0; i < 4; i++) {
+            assert_true(s.sol[i].certified);
+            assert_true(s.sol[i].residual < 1e-15);
+        }
+        ix_solutions_free(ctx, &s);
+    }
+}
+
+/* --- splines ---------------------------------------------------------------
+ */
+
+/* Law: knots, wherever they are, also through the roots, change nothing. */
+static void knots_through_roots(void **state)
+{
+    static const char *const text[] = {"4*x^3 - 3*x - 0.1*y",
+                                       "4*y^3 - 3*y - 0.1*x"};
+    double box[6][2];
+    ix_equation eq[2];
+    ix_solutions plain, cut;
+    ix_mv *m[2];
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    plain = solve_text(2, 2, text, box, NULL, NULL);
+    for (int i = 0; i < 2; i++) {
+        m[i] = st_mv(ctx, text[i], 2, box);
+        for (int j = 0; j < 2; j++) {
+            double kv[9];
+            ix_mv *b, *c;
+
+            for (int k = 0; k < plain.n; k++)
+                kv[k] = plain.sol[k].x[j];
+            for (int k = 1; k < plain.n; k++) /* increasing */
+                for (int l = k; l > 0 && kv[l - 1] > kv[l]; l--) {
+                    double t = kv[l];
+
+                    kv[l] = kv[l - 1];
+                    kv[l - 1] = t;
+                }
+            ASSERT_OK(ctx, ix_mv_to_bspline(ctx, m[i], &b));
+            ASSERT_OK(ctx, ix_mv_insert_knots(ctx, b, j, j ? 3 : 9, kv, &c));
+            ix_mv_unref(ctx, b);
+            ix_mv_unref(ctx, m[i]);
+            m[i] = c;
+        }
+        eq[i] = (ix_equation){m[i], 0, IX_EQUAL_ZERO};
+    }
+    ASSERT_OK(ctx, ix_solve(ctx, 2, eq, NULL, &cut));
+    assert_int_equal(cut.n, plain.n);
+    for (int i = 0; i < cut.n; i++) {
+        assert_true(cut.sol[i].certified);
+        for (int j = 0; j < 2; j++)
+            ASSERT_CLOSE(cut.sol[i].x[j], plain.sol[i].x[j], 1e-14);
+    }
+    verified += cut.n;
+    for (int i = 0; i < 2; i++)
+        ix_mv_unref(ctx, m[i]);
+    ix_solutions_free(ctx, &plain);
+    ix_solutions_free(ctx, &cut);
+}
+
+static double at(const ix_mv *m, double u, double v)
+{
+    double t[2] = {u, v}, x[1];
+
+    ASSERT_OK(ctx, ix_mv_eval(ctx, m, t, x));
+    return x[0];
+}
+
+/* Newton on two multivariates from a start; true if it ends inside [0,1]^2. */
+static int newton2(ix_mv *const *m, double *u, double *v)
+{
+    for (int it = 0; it < 40; it++) {
+        const double h = 1e-6;
+        double j[4], f[2], det, du, dv;
+
+        if (!(*u >= h && *u <= 1 - h && *v >= h && *v <= 1 - h))
+            return 0;
+        for (int i = 0; i < 2; i++) {
+            f[i] = at(m[i], *u, *v);
+            j[2 * i] = (at(m[i], *u + h, *v) - at(m[i], *u - h, *v)) / (2 * h);
+            j[2 * i + 1] = (at(m[i], *u, *v + h) - at(m[i], *u, *v - h)) /
+                           (2 * h);
+        }
+        det = j[0] * j[3] - j[1] * j[2];
+        du = (f[0] * j[3] - f[1] * j[1]) / det;
+        dv = (j[0] * f[1] - j[2] * f[0]) / det;
+        if (!(fabs(du) < 1 && fabs(dv) < 1))
+            return 0;
+        *u -= du;
+        *v -= dv;
+        if (fmax(fabs(du), fabs(dv)) < 1e-12)
+            return *u >= 0 && *u <= 1 && *v >= 0 && *v <= 1;
+    }
+    return 0;
+}
+
+/* Law: on random bicubics and bicubic splines, what Newton finds from a grid
+ * of starts is what the solver finds. */
+static void random_bicubics(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 60; round++) {
+        const ix_rand_opts o = {.ndirs = 2,
+                                .ncoords = 1,
+                                .rational = -1,
+                                .kinds = round % 2 ? IX_RAND_OPEN
+                                                   : IX_RAND_BEZIER,
+                                .min_order = 4,
+                                .max_order = 4,
+                                .max_knots = round % 2 ? 2 : -1,
+                                .unit = true};
+        ix_mv *m[2] = {ix_mv_randtest(ctx, &rng, &o),
+                       ix_mv_randtest(ctx, &rng, &o)};
+        ix_equation eq[2] = {{m[0], 0, IX_EQUAL_ZERO},
+                             {m[1], 0, IX_EQUAL_ZERO}};
+        ix_solutions s;
+
+        ASSERT_OK(ctx, ix_solve(ctx, 2, eq, NULL, &s));
+        for (int i = 0; i < s.n; i++) {
+            if (!s.sol[i].certified)
+                continue;
+            assert_true(fabs(at(m[0], s.sol[i].x[0], s.sol[i].x[1])) < 1e-13);
+            assert_true(fabs(at(m[1], s.sol[i].x[0], s.sol[i].x[1])) < 1e-13);
+            verified++;
+        }
+        for (int k = 0; k < 100; k++) {
+            double u = (k % 10 + 0.5) / 10, v = (k / 10 + 0.5) / 10;
+            int hit = 0;
+
+            if (!newton2(m, &u, &v))
+                continue;
+            for (int i = 0; i < s.n; i++)
+                hit |= fabs(s.sol[i].x[0] - u) < 1e-7 &&
+                       fabs(s.sol[i].x[1] - v) < 1e-7;
+            if (!hit)
+                fail_msg("round %d: lost (%.17g, %.17g)", round, u, v);
+        }
+        ix_solutions_free(ctx, &s);
+        ix_mv_unref(ctx, m[0]);
+        ix_mv_unref(ctx, m[1]);
+    }
+}
+
+/* --- budget, interruption, degenerate systems ------------------------------
+ */
+
+/* max_boxes reached: what was proven is there, the rest is named as open and
+ * covers every solution. */
+static void budget(void **state)
+{
+    static const char *const text[] = {"4*x^3 - 3*x - 0.1*y",
+                                       "4*y^3 - 3*y - 0.1*x"};
+    double box[6][2];
+    ix_solutions all;
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    all = solve_text(2, 2, text, box, NULL, NULL);
+    for (size_t budget = 1; budget < all.boxes; budget += 3) {
+        const ix_solve_opts o = {.max_boxes = budget};
+        ix_solutions s = solve_text(2, 2, text, box, NULL, &o);
+
+        assert_false(s.complete);
+        for (int i = 0; i < all.n; i++) {
+            int hit = 0;
+
+            for (int k = 0; k < s.n && !hit; k++) {
+                hit = 1;
+                for (int j = 0; j < 2; j++)
+                    hit &= all.sol[i].x[j] >= s.sol[k].lo[j] - 1e-15 &&
+                           all.sol[i].x[j] <= s.sol[k].hi[j] + 1e-15;
+            }
+            if (!hit)
+                fail_msg("budget %zu: solution %d is not covered", budget, i);
+        }
+        ix_solutions_free(ctx, &s);
+    }
+    ix_solutions_free(ctx, &all);
+}
+
+static void interrupted(void **state)
+{
+    static const char *const text[] = {"x^2 + y^2 - 1", "x^2 + y^2 - 1"};
+    static const volatile int stop = 1;
+    double box[6][2];
+    ix_equation eq[2];
+    ix_solutions s;
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    for (int i = 0; i < 2; i++)
+        eq[i] = (ix_equation){st_mv(ctx, text[i], 2, box), 0, IX_EQUAL_ZERO};
+    ix_ctx_set_cancel(ctx, &stop);
+    assert_int_equal(ix_solve(ctx, 2, eq, NULL, &s), IX_ECANCEL);
+    ix_ctx_set_cancel(ctx, NULL);
+    assert_int_equal(s.n, 0);
+    for (int i = 0; i < 2; i++)
+        ix_mv_unref(ctx, (ix_mv *)(uintptr_t)eq[i].f);
+}
+
+/* Coincident curves: within the budget, every box reported is open and the
+ * curve lies in their union. */
+static void coincident(void **state)
+{
+    static const char *const text[] = {"x^2 + y^2 - 1", "3*x^2 + 3*y^2 - 3"};
+    const ix_solve_opts o = {.cell = 1e-2, .max_boxes = 20000};
+    double box[6][2];
+    ix_solutions s;
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    s = solve_text(2, 2, text, box, NULL, &o);
+    assert_true(s.n > 0);
+    for (int i = 0; i < s.n; i++)
+        assert_false(s.sol[i].certified);
+    for (int k = 0; k < 100; k++) {
+        double t[2] = {(cos(k) + 1.2) / 2.5, (sin(k) + 1.2) / 2.5};
+        int hit = 0;
+
+        for (int i = 0; i < s.n; i++)
+            hit |= t[0] >= s.sol[i].lo[0] && t[0] <= s.sol[i].hi[0] &&
+                   t[1] >= s.sol[i].lo[1] && t[1] <= s.sol[i].hi[1];
+        assert_true(hit);
+    }
+    ix_solutions_free(ctx, &s);
+}
+
+static void errors(void **state)
+{
+    double box[6][2];
+    ix_equation eq[2];
+    ix_solutions s;
+    ix_mv *a, *b;
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    a = st_mv(ctx, "x + y", 2, box);
+    b = st_mv(ctx, "x + y + z", 3, box);
+    eq[0] = (ix_equation){a, 0, IX_EQUAL_ZERO};
+    eq[1] = (ix_equation){b, 0, IX_EQUAL_ZERO};
+    assert_int_equal(ix_solve(ctx, 1, eq, NULL, &s), IX_EARG);
+    assert_int_equal(ix_solve(ctx, 2, eq, NULL, &s), IX_EARG);
+    assert_int_equal(ix_solve(ctx, 0, eq, NULL, &s), IX_EARG);
+    eq[1] = (ix_equation){a, 1, IX_EQUAL_ZERO};
+    assert_int_equal(ix_solve(ctx, 2, eq, NULL, &s), IX_EARG);
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+}
+
+/* --- memory ----------------------------------------------------------------
+ */
+
+typedef struct {
+    ix_mv *m[2];
+    ix_solutions s;
+} oom;
+
+static void oom_setup(ix_ctx *own, void *state)
+{
+    const ix_dir d[2] = {{.basis = IX_BEZIER, .order = 3, .length = 3},
+                         {.basis = IX_BEZIER, .order = 3, .length = 3}};
+    const double f[9] = {-1, 1, 2, 1, -3, 1, 2, 1, -1};
+    const double g[9] = {1, -1, 1, -2, 1, 2, 1, -1, 1};
+    oom *o = state;
+
+    *o = (oom){.s = {.n = 0}};
+    ASSERT_OK(own, ix_mv_new(own, 2, d, 1, false, f, &o->m[0]));
+    ASSERT_OK(own, ix_mv_new(own, 2, d, 1, false, g, &o->m[1]));
+}
+
+static ix_status oom_run(ix_ctx *own, void *state)
+{
+    oom *o = state;
+    ix_equation eq[2] = {{o->m[0], 0, IX_EQUAL_ZERO},
+                         {o->m[1], 0, IX_EQUAL_ZERO}};
+
+    return ix_solve(own, 2, eq, NULL, &o->s);
+}
+
+static void oom_teardown(ix_ctx *own, void *state)
+{
+    oom *o = state;
+
+    ix_solutions_free(own, &o->s);
+    ix_mv_unref(own, o->m[0]);
+    ix_mv_unref(own, o->m[1]);
+}
+
+static void out_of_memory(void **state)
+{
+    oom o;
+    const ix_fault_case c = {oom_setup, oom_run, oom_teardown, &o};
+
+    (void)state;
+    assert_true(ix_fault_run(&c) > 2);
+}
+
+static void tell(void **state)
+{
+    (void)state;
+    print_message("# %ld solutions verified\n", verified);
+    assert_true(verified > 150);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(two_conics),
+                                       cmocka_unit_test(classics),
+                                       cmocka_unit_test(on_the_boundary),
+                                       cmocka_unit_test(inequalities),
+                                       cmocka_unit_test(scales),
+                                       cmocka_unit_test(knots_through_roots),
+                                       cmocka_unit_test(random_bicubics),
+                                       cmocka_unit_test(budget),
+                                       cmocka_unit_test(interrupted),
+                                       cmocka_unit_test(coincident),
+                                       cmocka_unit_test(errors),
+                                       cmocka_unit_test(out_of_memory),
+                                       cmocka_unit_test(tell)};
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
