@@ -13,6 +13,7 @@
 
 #define UNIT      (DBL_EPSILON / 2)
 #define MAX_DEPTH 400
+#define NOISE     4   /* errors that a value may have and be called noise */
 #define MAX_FACE  256 /* points of one cell on its faces */
 #define RATIO                                               \
     0.487373 /* halving away from dyadic numbers, where the \
@@ -274,13 +275,14 @@ static bool add_face_point(const ix__curves *s, int j, bool high,
     return true;
 }
 
-static bool on_boundary(const ix__curves *s, const ix__box *b, int j, bool high)
+/* A face of the patch: unlike a cut, it cannot be moved. */
+static bool on_patch(const ix__curves *s, const ix__box *b, int j, bool high)
 {
-    return high ? b->hi[j] >= s->hi[j] : b->lo[j] <= s->lo[j];
+    return high ? b->hi[j] >= s->patch_hi[j] : b->lo[j] <= s->patch_lo[j];
 }
 
 /* n = 2: the face is an edge with one polynomial. *ok false: undecided. A
- * touching root inside the domain is undecided too: another cut will miss it,
+ * touching root inside the patch is undecided too: another cut will miss it,
  * or it comes from branches that the coefficients cannot tell apart. */
 static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
@@ -300,7 +302,7 @@ static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
             *ok &= add_face_point(s, j, high, &y, list, count);
         for (int i = 0; i < r.n; i++) {
             y = r.root[i].s;
-            *ok &= (r.root[i].count == 1 || on_boundary(s, b, j, high)) &&
+            *ok &= (r.root[i].count == 1 || on_patch(s, b, j, high)) &&
                    add_face_point(s, j, high, &y, list, count);
         }
         y = 1;
@@ -340,7 +342,7 @@ static ix_status face_points(search *q, const ix__box *b, int j, bool high,
     if (st == IX_OK)
         st = ix__found_merge(&found, sys.n, sys.edge);
     for (int i = 0; st == IX_OK && i < found.n; i++) {
-        *ok &= found.sol[i].certified &&
+        *ok &= (found.sol[i].certified || on_patch(s, b, j, high)) &&
                add_face_point(s, j, high, found.sol[i].x, list, count);
     }
     *ok &= sys.boxes < sys.max_boxes;
@@ -510,6 +512,20 @@ static void cut(const ix__curves *s, ix__box *b, int j, double a, bool low)
         b->hi[j] = m;
 }
 
+/* Whether one of the equations is, on all of the cell, as small as its own
+ * error: then smaller cells will not decide more. */
+static bool below_noise(const ix__curves *s, const ix__box *b)
+{
+    for (int i = 0; i < s->n - 1; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
+        if (fmax(-lo, hi) <= NOISE * b->err[i])
+            return true;
+    }
+    return false;
+}
+
 static ix_status halve(search *q)
 {
     ix__curves *s = q->s;
@@ -526,7 +542,7 @@ static ix_status halve(search *q)
             j = i;
         }
     }
-    if (len <= s->cell || q->top + 1 >= MAX_DEPTH) {
+    if (len <= s->cell || q->top + 1 >= MAX_DEPTH || below_noise(s, b)) {
         q->top--;
         return report_singular(q, b);
     }
@@ -592,6 +608,8 @@ ix_status ix__curves_patch(ix__curves *s, const ix__box *b)
         IX_TRY(make_search(s));
     q = s->search;
     q->top = 0;
+    memcpy(s->patch_lo, b->lo, sizeof s->patch_lo);
+    memcpy(s->patch_hi, b->hi, sizeof s->patch_hi);
     c = q->stack[0].c;
     memcpy(c, b->c, (size_t)(s->n - 1) * s->shape.size * sizeof *c);
     q->stack[0] = *b;

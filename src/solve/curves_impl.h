@@ -19,6 +19,7 @@ typedef struct {
     int n;           /* unknowns; n - 1 equations */
     ix__shape shape; /* of a patch */
     double edge[IX_MAX_UNKNOWNS], lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS];
+    double patch_lo[IX_MAX_UNKNOWNS], patch_hi[IX_MAX_UNKNOWNS];
     double cell, tol;
     size_t max_boxes, boxes;
     ix__arc *arc;

@@ -108,7 +108,8 @@ static int at_singular(const ix__curves *s, const double *p)
         bool in = true;
 
         for (int j = 0; in && j < s->n; j++) {
-            double pad = 2 * s->cell * s->edge[j];
+            double pad = 2 * s->cell * s->edge[j] +
+                         0.25 * (r->hi[j] - r->lo[j]);
 
             in = p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad;
         }
@@ -116,20 +117,6 @@ static int at_singular(const ix__curves *s, const double *p)
             return i;
     }
     return -1;
-}
-
-static ix_curve_end kind_of_end(const links *l, int e)
-{
-    const ix__curves *s = l->s;
-    const double *p = end_point(s, e);
-
-    for (int j = 0; j < s->n; j++) {
-        double tie = TIE * s->edge[j];
-
-        if (p[j] <= s->lo[j] + tie || p[j] >= s->hi[j] - tie)
-            return IX_END_BOUNDARY;
-    }
-    return l->single[e] >= 0 ? IX_END_SINGULAR : IX_END_OPEN;
 }
 
 /* --- arcs that two patches found on their common face
@@ -185,19 +172,104 @@ static void drop_doubles(links *l)
     sort_ends(l);
 }
 
+/* Removes arcs that lie in the box of one singular point: what the rounding
+ * errors let through there. */
+static void drop_inside(ix__curves *s)
+{
+    int kept = 0;
+
+    for (int a = 0; a < s->narcs; a++) {
+        const ix__arc *arc = &s->arc[a];
+        int at = at_singular(s, s->pts[arc->first].x);
+        bool in = at >= 0;
+
+        for (int i = 1; in && i < arc->n; i++)
+            in = at_singular(s, s->pts[arc->first + i].x) == at;
+        if (!in)
+            s->arc[kept++] = *arc;
+    }
+    s->narcs = kept;
+}
+
+static bool on_boundary(const ix__curves *s, const double *p)
+{
+    for (int j = 0; j < s->n; j++) {
+        double tie = TIE * s->edge[j];
+
+        if (p[j] <= s->lo[j] + tie || p[j] >= s->hi[j] - tie)
+            return true;
+    }
+    return false;
+}
+
+/* Whether p is no further from the box than its largest edge, twice. */
+static bool near_box(const ix__curves *s, const ix_solution *r, const double *p)
+{
+    double size = 0;
+
+    for (int j = 0; j < s->n; j++)
+        size = fmax(size, (r->hi[j] - r->lo[j]) / s->edge[j]);
+    for (int j = 0; j < s->n; j++) {
+        double pad = 2 * size * s->edge[j];
+
+        if (!(p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad))
+            return false;
+    }
+    return true;
+}
+
+/* An end inside the domain without a partner, near a singular point, shows
+ * that rounding has spoilt more than its box: the box grows to hold the end.
+ * True if one has grown. */
+static bool absorb_ends(links *l)
+{
+    ix__curves *s = l->s;
+    bool grown = false;
+
+    for (int e = 0; e < l->nends; e++) {
+        const double *p = end_point(s, e);
+
+        if (l->partner[e] >= 0 || at_singular(s, p) >= 0 || on_boundary(s, p))
+            continue;
+        for (int i = 0; i < s->singular.n; i++) {
+            ix_solution *r = &s->singular.sol[i];
+
+            if (!near_box(s, r, p))
+                continue;
+            for (int j = 0; j < s->n; j++) {
+                r->lo[j] = fmin(r->lo[j], p[j]);
+                r->hi[j] = fmax(r->hi[j], p[j]);
+                r->x[j] = 0.5 * (r->lo[j] + r->hi[j]);
+            }
+            grown = true;
+            break;
+        }
+    }
+    return grown;
+}
+
+#define MAX_GROWTH 20
+
 static ix_status make_links(ix__curves *s, links *l)
 {
     *l = (links){.s = s, .nends = 2 * s->narcs};
     IX_SCRATCH(s->ctx, l->order, l->nends);
     IX_SCRATCH(s->ctx, l->partner, l->nends);
     IX_SCRATCH(s->ctx, l->single, l->nends);
-    for (int e = 0; e < l->nends; e++)
-        l->order[e] = e;
-    sort_ends(l);
-    drop_doubles(l);
-    for (int e = 0; e < l->nends; e++)
-        l->partner[e] = -1;
-    find_partners(l);
+    for (int round = 0; round < MAX_GROWTH; round++) {
+        IX_TRY(ix__found_merge(&s->singular, s->n, s->edge));
+        drop_inside(s);
+        l->nends = 2 * s->narcs;
+        for (int e = 0; e < l->nends; e++)
+            l->order[e] = e;
+        sort_ends(l);
+        drop_doubles(l);
+        for (int e = 0; e < l->nends; e++)
+            l->partner[e] = -1;
+        find_partners(l);
+        if (!absorb_ends(l))
+            break;
+    }
     for (int e = 0; e < l->nends; e++)
         l->single[e] = l->partner[e] < 0 ? at_singular(s, end_point(s, e)) : -1;
     return IX_OK;
@@ -205,6 +277,13 @@ static ix_status make_links(ix__curves *s, links *l)
 
 /* --- output
  * ------------------------------------------------------------------------ */
+
+static ix_curve_end kind_of_end(const links *l, int e)
+{
+    if (on_boundary(l->s, end_point(l->s, e)))
+        return IX_END_BOUNDARY;
+    return l->single[e] >= 0 ? IX_END_SINGULAR : IX_END_OPEN;
+}
 
 typedef struct {
     ix_solution_curves *out;
@@ -277,7 +356,6 @@ ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out)
     writer w = {.out = out};
     links l;
 
-    IX_TRY(ix__found_merge(&s->singular, s->n, s->edge));
     IX_TRY(make_links(s, &l));
     IX_SCRATCH_ZERO(s->ctx, w.used, s->narcs);
     IX_TRY(allocate(s, out, &w.x));

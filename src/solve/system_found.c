@@ -86,10 +86,10 @@ static double size_of(const ix_solution *s, int n, const double *edge)
     return size;
 }
 
-/* One round of joining undecided boxes that are no further apart than NEAR
- * times their own size, for what one multiple root leaves behind is scattered
- * by rounding. Sorted by x[0], so only a window of width reach is compared. */
-#define NEAR 2.0
+/* One round of joining undecided boxes that are no further apart than the
+ * smaller one and half the larger one are long, for what one multiple root
+ * leaves behind is scattered by rounding. Sorted by x[0], so only a window of
+ * width reach is compared. */
 static int join_round(ix__found *f, int n, const double *edge, int *up)
 {
     double reach = 0;
@@ -98,13 +98,14 @@ static int join_round(ix__found *f, int n, const double *edge, int *up)
     for (int i = 0; i < f->n; i++) {
         up[i] = i;
         if (!f->sol[i].certified)
-            reach = fmax(reach, (1 + NEAR) * size_of(&f->sol[i], n, edge));
+            reach = fmax(reach, 3 * size_of(&f->sol[i], n, edge));
     }
     for (int i = 0; i < f->n; i++) {
         double own = size_of(&f->sol[i], n, edge);
 
         for (int k = i - 1; k >= 0 && !f->sol[i].certified; k--) {
-            double gap = NEAR * fmin(own, size_of(&f->sol[k], n, edge));
+            double other = size_of(&f->sol[k], n, edge);
+            double gap = fmin(own, other) + 0.5 * fmax(own, other);
 
             if (f->sol[i].x[0] - f->sol[k].x[0] > 2 * reach * edge[0])
                 break;

@@ -255,7 +255,8 @@ static int st_linsolve(int n, double a[6][7])
 }
 
 /* True if Newton from x converges to a regular root inside the box. */
-static int st_newton(int n, const char *const *eq, double (*box)[2], double *x)
+static inline int st_newton(int n, const char *const *eq, double (*box)[2],
+                            double *x)
 {
     double size = 1;
 
