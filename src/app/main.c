@@ -1,7 +1,7 @@
 /* main.c - the program iritx: runs scripts in batch.
  *
- * It never prompts. Exit codes: 0 fine, 1 an error was reported, 2 wrong
- * usage, 128 + n ended by signal n. */
+ * It prompts only if both standard streams are terminals. Exit codes: 0 fine, 1
+ * an error was reported, 2 wrong usage, 128 + n ended by signal n. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -12,6 +12,7 @@
 
 #include "app/listing.h"
 #include "app/options.h"
+#include "app/prompt.h"
 
 #define DEFAULT_MEMORY ((size_t)1 << 30)
 #define STDOUT_BUFFER  65536
@@ -229,6 +230,10 @@ int main(int argc, char **argv)
 
     fill_streams();
     set_signals();
+    if (prompt_wanted()) {
+        o.interp.read_line = prompt_line;
+        o.interp.read_ud = (void *)(uintptr_t)&cancel;
+    }
     (void)setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     o.interp.include_path = getenv("IRIT_INCLUDE");
     o.item = calloc((size_t)argc + 1, sizeof *o.item);

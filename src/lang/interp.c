@@ -166,6 +166,8 @@ static ix_status run_reader(ix_interp *in, ix__reader *rd)
             drop_line(rd);
         if (!in->exiting)
             ix__report(in, false);
+        if (in->exiting)
+            rd->prompting = false;
         if (in->exiting || st == IX_ECANCEL || !in->opt.check_only)
             ix__reader_close(rd);
     }
@@ -242,6 +244,7 @@ static ix_status push_main(ix_interp *in, ix__reader *rd, const char *name)
 
     if (strcmp(name, "-") == 0) {
         ix__reader_push_text(rd, "<stdin>", NULL, 0);
+        rd->prompting = in->opt.read_line != NULL;
         return IX_OK;
     }
     if (snprintf(path, sizeof path, "%s%s", name,

@@ -21,6 +21,12 @@ typedef struct {
     const char *root;    /* files stay below it; NULL: the current directory */
     const char *include_path; /* directories, ';' between them, where INCLUDE
                                  looks last; NULL: none */
+    /* Reads a line of the script "-" for a person: appends it to line without
+     * its newline; more: in the middle of a statement. False at the end.
+     * Errors do not end such a script, nor does cancelling (the reader then
+     * clears the flag). NULL: "-" is standard input, in batch. */
+    bool (*read_line)(void *ud, bool more, ix_buf *line);
+    void *read_ud;
 } ix_interp_opts;
 
 ix_status ix__interp_new(ix_ctx *ctx, const ix_interp_opts *o,

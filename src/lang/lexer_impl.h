@@ -38,6 +38,8 @@ typedef struct {
     int cut; /* the byte that ended the line early; -1: none */
     const char *file;
     int number;
+    bool inside;        /* a statement has begun */
+    bool prompting;     /* the first source is a person */
     bool add_semicolon; /* a missing last ';' is supplied (-e, EXEC) */
 } ix__reader;
 
@@ -49,7 +51,7 @@ void ix__reader_push_text(ix__reader *rd, const char *name, const char *text,
 /* Pushes a file that was read into *data (taken over). */
 void ix__reader_push_file(ix__reader *rd, const char *name, ix_buf *data,
                           dev_t dev, ino_t ino);
-/* Leaves all sources; the rest of the present line stays. */
+/* Leaves all sources but a person; the rest of the present line stays. */
 void ix__reader_close(ix__reader *rd);
 /* Something is left on the present line (blanks aside). */
 bool ix__reader_line_left(const ix__reader *rd);

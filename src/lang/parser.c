@@ -687,7 +687,9 @@ static ix_status statement(parser *p, ix__node **out, bool *end)
     bool def;
 
     IX_TRY(ix__lex_begin(p->rd, p->u));
+    p->rd->inside = false;
     IX_TRY(peek(p, 0, &t));
+    p->rd->inside = true;
     *end = t->kind == T_END;
     if (*end)
         return IX_OK;

@@ -19,12 +19,13 @@ void ix__reader_init(ix__reader *rd, ix_interp *in)
 
 void ix__reader_close(ix__reader *rd)
 {
-    while (rd->n)
+    while (rd->n > rd->prompting)
         ix__buf_free(&rd->src[--rd->n].data);
 }
 
 void ix__reader_free(ix__reader *rd)
 {
+    rd->prompting = false;
     ix__reader_close(rd);
     ix__buf_free(&rd->line);
     ix__buf_free(&rd->word);
@@ -89,6 +90,20 @@ static bool text_line(ix__reader *rd, ix__source *s)
     return true;
 }
 
+/* One line typed by a person; false at the end. */
+static bool typed_line(ix__reader *rd, ix__source *s)
+{
+    const ix_interp_opts *o = &rd->in->opt;
+    ix_buf *b = &rd->in->text; /* nothing is printed meanwhile */
+
+    ix__flush(rd->in);
+    ix__buf_clear(b);
+    s->at_end = !o->read_line(o->read_ud, rd->inside, b);
+    for (size_t i = 0; i < b->len; i++)
+        add_char(rd, (unsigned char)b->data[i]);
+    return !s->at_end;
+}
+
 /* One line of standard input; false at its end. */
 static bool stdin_line(ix__reader *rd, ix__source *s)
 {
@@ -143,7 +158,9 @@ ix_status ix__reader_line(ix__reader *rd, bool *more)
         rd->pos = 0;
         rd->cut = -1;
         s->line++;
-        *more = s->text ? text_line(rd, s) : stdin_line(rd, s);
+        *more = s->text         ? text_line(rd, s)
+                : rd->prompting ? typed_line(rd, s)
+                                : stdin_line(rd, s);
         IX_TRY(ix__poll(rd->in->ctx));
         if (*more)
             IX_TRY(present_line(rd, s));
