@@ -87,9 +87,8 @@ static double size_of(const ix_solution *s, int n, const double *edge)
 }
 
 /* One round of joining undecided boxes that are no further apart than the
- * smaller one and half the larger one are long, for what one multiple root
- * leaves behind is scattered by rounding. Sorted by x[0], so only a window of
- * width reach is compared. */
+ * larger one is long, twice: what one multiple root leaves behind is scattered
+ * by rounding. Sorted by x[0], so only a window of width reach is compared. */
 static int join_round(ix__found *f, int n, const double *edge, int *up)
 {
     double reach = 0;
@@ -104,8 +103,7 @@ static int join_round(ix__found *f, int n, const double *edge, int *up)
         double own = size_of(&f->sol[i], n, edge);
 
         for (int k = i - 1; k >= 0 && !f->sol[i].certified; k--) {
-            double other = size_of(&f->sol[k], n, edge);
-            double gap = fmin(own, other) + 0.5 * fmax(own, other);
+            double gap = 2 * fmax(own, size_of(&f->sol[k], n, edge));
 
             if (f->sol[i].x[0] - f->sol[k].x[0] > 2 * reach * edge[0])
                 break;
