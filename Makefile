@@ -19,8 +19,8 @@ Q       := $(if $(filter 1,$(V)),,@)
 # --- packages ----------------------------------------------------------------
 # Missing Debian packages are installed once, before anything else is looked at:
 # make remakes this included stamp and starts again.
-PACKAGES := build-essential pkg-config zlib1g-dev libcmocka-dev libflint-dev python3
-PKGS     := zlib
+PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libcmocka-dev libflint-dev python3
+PKGS     := zlib libxml-2.0
 setup: build/.setup                                 ## install missing Debian packages
 build/.setup: scripts/dev/setup Makefile
 	@mkdir -p build; scripts/dev/setup $(PACKAGES) && touch $@
@@ -44,10 +44,12 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(PKG_CPPFLAGS) -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 # Exact arithmetic in tests only, as an independent truth; left out if absent.
 FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
+# As system headers: their warnings are not ours.
+PKG_CPPFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKGS)))
 LIBS         := $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 

@@ -47,6 +47,15 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
  * default "%-16.14lg" itself. */
 double ix__itd_tiny(const char *float_format);
 
+/* --- XML (docs/xml.md) ------------------------------------------------- */
+/* As ix__itd_read. */
+ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
+                       size_t n, ix_obj **out) IX_MUST_CHECK;
+/* Appends a whole document; numbers are the shortest that read back. Err
+ * IX_EUNABLE too deep, too long, a name of more than 32 KiB; IX_EDOMAIN a
+ * number is not finite; IX_ENOMEM. On failure b holds part of the text. */
+ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
+
 /* --- files ------------------------------------------------------------ */
 /* The whole regular file, inflated if it is gzip (told by its first bytes);
  * data is NUL-terminated, freed with ix__buf_free. Caps: 1 GiB, and a ratio

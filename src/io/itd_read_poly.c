@@ -1,28 +1,8 @@
 /* itd_read_poly.c - polygons, polylines, point lists and strips from text
  * (spec/itd-format 5). Planes and normals are made unit vectors, unless they
  * are so within rounding already. */
-#include <math.h>
-#include <string.h>
-
 #include "io/itd_read_impl.h"
-
-/* Divides v[n] by the length of its first three; false if that is 0 or the
- * quotients overflow. A length of 1 up to rounding is left alone, so that
- * writing and reading keep bits. */
-static bool make_unit(double *v, int n)
-{
-    double s = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
-    double x = v[0] / s, y = v[1] / s, z = v[2] / s;
-    double len = s * sqrt(x * x + y * y + z * z);
-
-    if (!(s > 0) || !isfinite(len))
-        return false;
-    if (fabs(len - 1) <= 4 * 0x1p-52)
-        return true;
-    for (int k = 0; k < n; k++)
-        v[k] /= len;
-    return isfinite(v[n - 1]);
-}
+#include "io/poly_rules.h"
 
 static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,
                               bool *taken)
@@ -34,7 +14,7 @@ static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,
     *taken = true;
     IX_TRY(ix__lex_nums(l, "number of the PLANE", 4, pg->plane));
     IX_TRY(ix__lex_close(l, "] of the PLANE"));
-    if (!make_unit(pg->plane, 4))
+    if (!ix__poly_unit(pg->plane, 4))
         return ix__lex_fail(l, name->s, "degenerate normal: PLANE %g %g %g",
                             pg->plane[0], pg->plane[1], pg->plane[2]);
     pg->has_plane = true;
@@ -54,7 +34,7 @@ static ix_status vertex_attr(ix__lex *l, const ix__token *name, void *arg,
         return IX_OK;
     *taken = true;
     IX_TRY(ix__lex_nums(l, "number of the NORMAL", 3, v->normal));
-    v->has_normal = make_unit(v->normal, 3); /* a zero normal is none */
+    v->has_normal = ix__poly_unit(v->normal, 3); /* a zero normal is none */
     return ix__lex_close(l, "] of the NORMAL");
 }
 
@@ -72,22 +52,6 @@ static ix_status read_vertex(ix__lex *l, ix_vertex *v, int i, int n)
     return ix__lex_close(l, "] of a vertex");
 }
 
-/* A polygon without a plane gets it from its vertices, and vertices without a
- * normal get the plane's. */
-static void complete(ix_polygon *pg)
-{
-    if (pg->kind != IX_POLYGON)
-        return;
-    if (!pg->has_plane)
-        pg->has_plane = ix__polygon_plane(pg, pg->plane);
-    for (int i = 0; pg->has_plane && i < pg->n; i++) {
-        if (pg->v[i].has_normal)
-            continue;
-        memcpy(pg->v[i].normal, pg->plane, sizeof pg->v[i].normal);
-        pg->v[i].has_normal = true;
-    }
-}
-
 static ix_status read_polygon(ix__lex *l, ix_polygon *pg)
 {
     ix__token t;
@@ -103,7 +67,7 @@ static ix_status read_polygon(ix__lex *l, ix_polygon *pg)
             IX_TRY(ix__poll(l->ctx));
         IX_TRY(read_vertex(l, &pg->v[i], i, n));
     }
-    complete(pg);
+    ix__poly_complete(pg);
     return ix__lex_close(l, "] behind the last vertex");
 }
 

@@ -19,6 +19,12 @@ static ix_status write_itd(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
     return ix__itd_write(b, o, &file, 0);
 }
 
+static ix_status write_xml(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
+{
+    (void)w; /* numbers are exact */
+    return ix__xml_write(b, o);
+}
+
 /* Suffixes that mean something; without functions: known, not supported. */
 static const struct format {
     const char *suffix;
@@ -27,6 +33,7 @@ static const struct format {
 } formats[] = {
     {"itd", ix__itd_read, write_itd},
     {"imd", ix__itd_read, write_itd},
+    {"xml", ix__xml_read, write_xml},
     {"ibd", NULL, NULL},
     {"icd", NULL, NULL},
     {"igs", NULL, NULL},
@@ -79,7 +86,7 @@ static ix_status unsupported(ix_ctx *ctx, const char *name, const char *suffix)
 {
     return IX_FAIL(ctx, IX_EARG,
                    "%.200s: files of type \"%s\" are not supported; \"itd\" "
-                   "is",
+                   "and \"xml\" are",
                    name, suffix);
 }
 

@@ -88,13 +88,120 @@ def irt_texts():
     }
 
 
+ROOT = '<iritx xmlns="urn:iritx:geometry" version="1">'
+
+
+def xml_file(body):
+    return ROOT + body + '</iritx>'
+
+
+def xml_curve(head, points='0 0 1 0 2 0', attributes='type="E2"'):
+    return xml_file('<object><curve %s>%s<points>%s</points></curve></object>'
+                    % (attributes, head, points))
+
+
+def laughs(use):
+    """Ten entities, each ten times the one before."""
+    text = '<?xml version="1.0"?>\n<!DOCTYPE lolz [\n<!ENTITY lol0 "lol">\n'
+    for i in range(1, 10):
+        text += '<!ENTITY lol%d "%s">\n' % (i, '&lol%d;' % (i - 1) * 10)
+    return text + ']>\n' + use
+
+
+def xml_foreign():
+    """{name: text}: XML that reaches out, swells or nests."""
+    entity = '<!DOCTYPE a [<!ENTITY x %s>]>'
+    return {
+        'lol': laughs(ROOT + '&lol9;</iritx>'),
+        'lolattr': laughs('<iritx a="&lol9;"/>'),
+        'quad': entity % ('"%s"' % ('x' * 50000)) + '<a>%s</a>' % ('&x;' * 20000),
+        'xxe': entity % 'SYSTEM "file:///etc/hostname"' + '<a>&x;</a>',
+        'parameter': '<!DOCTYPE a [<!ENTITY % x SYSTEM "file:///etc/hostname"> %x;]><a/>',
+        'doctype': '<!DOCTYPE iritx SYSTEM "http://localhost:1/x.dtd">' + xml_file(''),
+        'late_doctype': xml_file('<object/>') + '<!DOCTYPE a>',
+        'entity': xml_file('<object><string>&x;</string></object>'),
+        'xinclude': '<a xmlns:xi="http://www.w3.org/2001/XInclude">'
+                    '<xi:include href="file:///etc/passwd" parse="text"/></a>',
+        'xinclude_inside': xml_file(
+            '<object xmlns:xi="http://www.w3.org/2001/XInclude">'
+            '<xi:include href="file:///etc/passwd" parse="text"/></object>'),
+        'deep257': '<a>' * 257 + '</a>' * 257,
+        'deep3000': '<a>' * 3000 + '</a>' * 3000,
+        'deep1000000': '<a>' * 1000000 + '</a>' * 1000000,
+        'deep_ours': ROOT + '<object>' * 256 + '</object>' * 256 + '</iritx>',
+        'deep_ours1000000': ROOT + '<object>' * 1000000,
+        'attr11mb': '<a p="' + '1 ' * 5500000 + '"/>',
+        'attr_ours': xml_file('<object name="' + 'x' * 11000000 + '"/>'),
+        'attributes': ROOT[:-1] + ''.join(' a%d=""' % i for i in range(200000)) + '/>',
+        'attributes_small': ROOT[:-1] + ''.join(' a%d=""' % i for i in range(6000)) + '/>',
+        'comment11mb': xml_file('<!--' + 'x' * 11000000 + '-->'),
+        'text11mb': xml_file('<object><string>' + 'x' * 11000000 + '</string></object>'),
+        'many_nodes': '<a>' + '<b/>' * 2000000 + '</a>',
+        'html': '<!DOCTYPE html><html><body>no</body></html>',
+        'not_xml': 'just words',
+        'json': '{"a": 1}',
+        'cut': xml_file('<object/>')[:-3],
+        'crossed': ROOT + '<object><list></object></list></iritx>',
+        'twice': xml_file('<object/>') * 2,
+        'nul': xml_file('<object><string>a\0b</string></object>'),
+        'control': xml_file('<object><string>a\1b</string></object>'),
+        'declared_utf16': '<?xml version="1.0" encoding="UTF-16"?>' + xml_file('<object/>'),
+        'declared_ebcdic': '<?xml version="1.0" encoding="EBCDIC-US"?>' + xml_file('<object/>'),
+        'unknown_encoding': '<?xml version="1.0" encoding="no-such"?>' + xml_file('<object/>'),
+    }
+
+
+def xml_ours():
+    """{name: text}: our vocabulary, with contents that cannot be."""
+    bezier = '<direction basis="bezier" order="3"/>'
+    spline = '<direction basis="bspline" order="%s" length="%s"><knots>%s</knots></direction>'
+    return {
+        'empty_root': xml_file(''),
+        'no_namespace': '<iritx version="1"><object/></iritx>',
+        'version2': ROOT.replace('1">', '2">') + '<object/></iritx>',
+        'unknown': xml_file('<object><sphere/></object>'),
+        'unknown_attr': xml_file('<object colour="4"/>'),
+        'mixed': xml_file('<object><number>1</number><point>1 2 3</point></object>'),
+        'stray_text': xml_file('<object>1 2 3</object>'),
+        'few': xml_curve(bezier, '0 0 1 0'),
+        'many': xml_curve(bezier, '0 0 1 0 2 0 3 0'),
+        'odd': xml_curve(bezier, '0 0 1 0 2'),
+        'nan': xml_curve(bezier, 'nan 0 inf 0 1e999 0'),
+        'hex_number': xml_curve(bezier, '0x10 0 1 0 2 0'),
+        'comma': xml_curve(bezier, '1,5 0 1 0 2 0'),
+        'zero_weights': xml_curve(bezier, '0 1 0 0 0 1 0 1 1', 'type="P2"'),
+        'type19': xml_curve(bezier, '0 0 1 0 2 0', 'type="E19"'),
+        'huge_length': xml_curve(spline % (4, 1000000000, '0 0 0 0 1 1 1 1')),
+        'huge_product': xml_file(
+            '<object><multivariate type="E1">' + '<direction basis="bezier" order="1024"/>' * 16
+            + '<points>1</points></multivariate></object>'),
+        'directions': xml_file('<object><multivariate type="E1">'
+                               + '<direction basis="bezier" order="1"/>' * 17
+                               + '<points>1</points></multivariate></object>'),
+        'negative': xml_curve(spline % (2, -5, '0 0 1 1')),
+        'order0': xml_curve(spline % (0, 3, '0 0 1 1')),
+        'few_knots': xml_curve(spline % (3, 3, '0 0 0 1 1')),
+        'falling_knots': xml_curve(spline % (3, 3, '0 0 1 0 1 1')),
+        'no_span': xml_curve(spline % (3, 3, '1 1 1 1 1 1')),
+        'edge': xml_file('<object><model><face><surface type="E1">' + bezier * 2
+                         + '<points>1 2 3 4 5 6 7 8 9</points></surface><edges>1</edges></face>'
+                           '</model></object>'),
+        'triangle': xml_file('<object><triangularsurface type="E3" basis="bezier" length="32767">'
+                             '<points>0 0 0</points></triangularsurface></object>'),
+    }
+
+
+def xml_texts():
+    return {**xml_foreign(), **xml_ours()}
+
+
 def gzip_bytes(data):
     return gzip.compress(data, 9, mtime=0)
 
 
-def bomb(megabytes):
-    """A gzip file of so many MB of blanks: one compressed block, repeated."""
-    block, crc = b' ' * (1 << 20), 0
+def bomb(megabytes, unit=b' '):
+    """A gzip file of so many MB of a unit: one compressed block, repeated."""
+    block, crc = unit * ((1 << 20) // len(unit)), 0
     packer = zlib.compressobj(9, zlib.DEFLATED, -15)
     packed = packer.compress(block) + packer.flush(zlib.Z_FULL_FLUSH)
     for _ in range(megabytes):
@@ -117,6 +224,12 @@ def binary_files():
         'tail.itd.gz': good + b'garbage behind the end',
         'header.itd.gz': good[:5],
         'not_gzip.itd.gz': b'\x1f\x8b' + b'x' * 1000,
+        'bomb.xml.gz': bomb(1024, b'<b/>'),
+        'innocent.xml': bomb(1024, b'<b/>'),
+        'latin1.xml': xml_file('<object name="caf\xe9"/>').encode('latin-1'),
+        'utf16.xml': xml_file('<object/>').encode('utf-16'),
+        'ebcdic.xml': ('<?xml version="1.0"?>' + xml_file('<object/>')).encode('cp037'),
+        'overlong.xml': ROOT.encode() + b'<object name="\xc0\xbc"/></iritx>',
     }
 
 
@@ -135,7 +248,7 @@ ACCEPTED = {
 
 def write_all(folder):
     """Writes every input; returns their names, sorted."""
-    for suffix, texts in (('.itd', itd_texts()), ('.irt', irt_texts())):
+    for suffix, texts in (('.itd', itd_texts()), ('.irt', irt_texts()), ('.xml', xml_texts())):
         for name, text in texts.items():
             with open(os.path.join(folder, name + suffix), 'w', encoding='latin-1') as file:
                 file.write(text)
