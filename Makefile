@@ -19,7 +19,7 @@ Q       := $(if $(filter 1,$(V)),,@)
 # --- packages ----------------------------------------------------------------
 # Missing Debian packages are installed once, before anything else is looked at:
 # make remakes this included stamp and starts again.
-PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libcmocka-dev libflint-dev python3
+PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libcmocka-dev libflint-dev libcairo2-dev python3
 PKGS     := zlib libxml-2.0
 setup: build/.setup                                 ## install missing Debian packages
 build/.setup: scripts/dev/setup Makefile
@@ -50,11 +50,15 @@ FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x 
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
 # As system headers: their warnings are not ours.
 PKG_CPPFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKGS)))
+# WITH_CAIRO=0 leaves the drawing module out.
+WITH_CAIRO  ?= 1
+CAIRO       := $(if $(filter 1,$(WITH_CAIRO)),cairo)
 LIBS         := $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 
 # --- files -------------------------------------------------------------------
-LIB_SRC   := $(filter-out src/app/%,$(wildcard src/*/*.c))
+LIB_SRC   := $(filter-out src/app/% src/draw/%,$(wildcard src/*/*.c))
+DRAW_SRC  := $(if $(CAIRO),$(wildcard src/draw/*.c))
 APP_SRC   := $(wildcard src/app/*.c)
 HARNESS   := $(wildcard tests/harness/*.c)
 TEST_SRC  := $(wildcard tests/unit/$(or $(MOD),*)/t_*.c)
@@ -65,16 +69,18 @@ bin        = $(patsubst %.c,$(B)/%,$(1))
 LIB       := $(B)/libiritx.a
 SHLIB     := $(B)/libiritx.so
 PROG      := $(if $(APP_SRC),$(B)/iritx)
+MODULE    := $(if $(DRAW_SRC),$(B)/iritx_draw.so)
 TESTS     := $(call bin,$(TEST_SRC))
-ALL_OBJ   := $(call obj,$(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS) $(BENCH_SRC))
+ALL_OBJ   := $(call obj,$(DRAW_SRC) $(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS) $(BENCH_SRC))
 
 .PHONY: all help setup demo check check-san coverage lint analyze bench install \
         uninstall dist clean format format-check FORCE
 .SECONDARY: $(ALL_OBJ) $(TESTS) $(call bin,$(BENCH_SRC))
 .DELETE_ON_ERROR:
 
-all: $(LIB) $(SHLIB) $(PROG)                  ## library and program (build/iritx)
+all: $(LIB) $(SHLIB) $(PROG) $(MODULE)        ## library and program (build/iritx)
 	$(Q)$(if $(filter build/release,$(B)),$(if $(PROG),cmp -s $(PROG) build/iritx || cp -f $(PROG) build/iritx))
+	$(Q)$(if $(filter build/release,$(B)),$(if $(MODULE),cp -f $(MODULE) build))
 
 help:                                               ## this list
 	@sed -n 's/^\([a-z-]*\):.*##  *\(.*\)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t18
@@ -97,6 +103,11 @@ $(SHLIB): $(call obj,$(LIB_SRC)) $(B)/.srcs src/exports
 	$(Q)$(LINK) -shared $(if $(findstring sanitize,$(OPT_$(CFG))),,-Wl,--no-undefined) \
 	 -Wl,-soname,libiritx.so.$(SOVER) -Wl,--version-script,src/exports \
 	 $(filter %.o,$^) $(LIBS) -o $@
+# The drawing module, loaded when the first picture is drawn (src/draw/draw.h).
+$(call obj,$(DRAW_SRC)): CPPFLAGS += $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(CAIRO)))
+$(B)/iritx_draw.so: $(call obj,$(DRAW_SRC)) $(LIB)
+	@echo "  LD    $@"
+	$(Q)$(LINK) -shared -Wl,-Bsymbolic $(filter %.o %.a,$^) $(LIBS) $(shell pkg-config --libs $(CAIRO)) -o $@
 $(B)/iritx: $(call obj,$(APP_SRC)) $(LIB)
 	@echo "  LD    $@"
 	$(Q)$(LINK) $^ $(LIBS) -o $@
@@ -130,7 +141,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-docs check-install: $(PROG)
+check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))
@@ -162,6 +173,7 @@ install: all                                        ## into PREFIX (/usr/local),
 	ln -sf libiritx.so.$(VERSION) $(D)/lib/libiritx.so.$(SOVER)
 	ln -sf libiritx.so.$(SOVER) $(D)/lib/libiritx.so
 	$(if $(PROG),install -m 755 $(PROG) $(D)/bin)
+	$(if $(MODULE),install -d $(D)/lib/iritx && install -m 755 $(MODULE) $(D)/lib/iritx)
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|' \
 	 scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
 	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx
@@ -169,6 +181,7 @@ install: all                                        ## into PREFIX (/usr/local),
 uninstall:                                          ## remove what "install" put there
 	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc
 	rm -f $(D)/bin/iritx $(D)/lib/libiritx.a $(D)/lib/libiritx.so $(D)/lib/libiritx.so.*
+	rm -rf $(D)/lib/iritx
 dist:                                               ## build/iritx-VERSION.tar.gz
 	@mkdir -p build
 	@if git rev-parse HEAD >/dev/null 2>&1; \

@@ -6,6 +6,10 @@
 static const command commands[] = {
     {"convert", "IN OUT", "reads one file and writes another; suffixes decide",
      cmd_convert},
+    {"draw", "FILE... -o PICTURE",
+     "a picture (.svg .png .pdf): --net --knots --shade --fit --no-axes, "
+     "--view V, --size WxH",
+     cmd_draw},
     {"info", "FILE...", "what files hold: names, types, orders, boxes",
      cmd_info},
 };

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "app/listing.h"
+#include "app/picture.h"
 #include "app/options.h"
 #include "app/prompt.h"
 
@@ -234,6 +235,7 @@ int main(int argc, char **argv)
         o.interp.read_line = prompt_line;
         o.interp.read_ud = (void *)(uintptr_t)&cancel;
     }
+    picture_register();
     (void)setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     o.interp.include_path = getenv("IRIT_INCLUDE");
     o.item = calloc((size_t)argc + 1, sizeof *o.item);

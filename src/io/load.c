@@ -68,6 +68,16 @@ static size_t suffix_length(const char *s, size_t n)
     return 0;
 }
 
+#define MAX_ADDED 8
+static struct format added[MAX_ADDED];
+static size_t nadded;
+
+void ix__save_register(const char *suffix, ix__write_fn fn)
+{
+    if (nadded < MAX_ADDED)
+        added[nadded++] = (struct format){suffix, NULL, fn};
+}
+
 static const struct format *find_format(const char *name)
 {
     size_t n = strlen(name), k = suffix_length(name, n);
@@ -79,6 +89,9 @@ static const struct format *find_format(const char *name)
     for (size_t i = 0; k > 0 && i < sizeof formats / sizeof *formats; i++)
         if (is_suffix(name + n - k, k, formats[i].suffix))
             return &formats[i];
+    for (size_t i = 0; k > 0 && i < nadded; i++)
+        if (is_suffix(name + n - k, k, added[i].suffix))
+            return &added[i];
     return NULL;
 }
 
