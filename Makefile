@@ -127,9 +127,10 @@ RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_mutate    = tests/hostile/mutate $(B)/iritx
 RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
+RUN_draw      = tests/draw/run $(B)/iritx
 RUN_docs      = tests/docs/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden reference roundtrip hostile mutate \
+PARTS := unit selftest script golden reference roundtrip hostile mutate $(if $(MODULE),draw) \
          $(if $(filter release,$(CFG)),install) docs lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -141,7 +142,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-docs check-install: $(PROG) $(MODULE)
+check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-draw check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

@@ -94,9 +94,10 @@ static void place(picture *d)
     for (size_t i = 0; i < d->scene.npts; i++) {
         d->p[i][0] = d->dx + d->scale * d->p[i][0];
         d->p[i][1] = d->dy - d->scale * d->p[i][1];
+        d->p[i][2] *= d->scale; /* one unit for all three: light needs it */
     }
-    d->far = lo[2];
-    d->near = hi[2];
+    d->far = lo[2] * d->scale;
+    d->near = hi[2] * d->scale;
 }
 
 static ix_status fill_raster(picture *d)
@@ -139,6 +140,7 @@ static void label(const picture *d, double x, double y, double v, bool left)
     cairo_move_to(d->cr, left ? x - e.width - 4 : x - e.width / 2,
                   left ? y + e.height / 2 : y + e.height + 4);
     cairo_show_text(d->cr, text);
+    cairo_new_path(d->cr);
 }
 
 static void grid_line(const picture *d, bool vertical, double at, bool axis)
@@ -166,7 +168,7 @@ static void draw_grid(const picture *d)
                             : (d->dy - MARGIN + 10) / d->scale;
 
         for (double i = ceil(a / step); i * step <= b; i++) {
-            double v = i * step;
+            double v = i != 0 ? i * step : 0; /* no "-0" */
             double at = vertical ? d->dx + d->scale * v : d->dy - d->scale * v;
 
             grid_line(d, vertical, at, i == 0);
@@ -191,7 +193,7 @@ static double paleness(const picture *d, const double *a, const double *b)
         mid[c] = 0.5 * (a[c] + b[c]);
     if (range > 0)
         pale = 0.4 * floor(4 * (d->near - mid[2]) / range) / 4;
-    if (d->raster.z && ix__raster_hides(&d->raster, mid, 4e-3 * range))
+    if (d->raster.z && ix__raster_hides(&d->raster, mid, 1.5))
         pale = d->o->shade ? 1 : 0.75;
     return pale;
 }

@@ -47,7 +47,6 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
  * default "%-16.14lg" itself. */
 double ix__itd_tiny(const char *float_format);
 
-<<<<<<< HEAD
 /* --- XML (docs/xml.md) ------------------------------------------------- */
 /* As ix__itd_read. */
 ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
@@ -56,7 +55,7 @@ ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
  * IX_EUNABLE too deep, too long, a name of more than 32 KiB; IX_EDOMAIN a
  * number is not finite; IX_ENOMEM. On failure b holds part of the text. */
 ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
-=======
+
 /* --- formats that a program adds ---------------------------------------- */
 /* Appends o in a format of its own. */
 typedef ix_status (*ix__write_fn)(ix_buf *b, const ix_obj *o,
@@ -64,7 +63,6 @@ typedef ix_status (*ix__write_fn)(ix_buf *b, const ix_obj *o,
 /* SAVE to names with this suffix (static text) calls fn; at most 8, called
  * before any thread is started. */
 void ix__save_register(const char *suffix, ix__write_fn fn);
->>>>>>> 70e42b6 (draw: pictures through cairo in a module of its own)
 
 /* --- files ------------------------------------------------------------ */
 /* The whole regular file, inflated if it is gzip (told by its first bytes);
