@@ -41,6 +41,17 @@ static void unbound(checker *k, ix__node *n)
     ix__complain(k->in, k->u, n->pos, true, text);
 }
 
+static ix_status missing(checker *k, const ix__node *n)
+{
+    const char *name = n->u.sym->name;
+    char near[200];
+
+    if (ix__vars_near(k->in, name, near, sizeof near))
+        return FAIL(k, n, "there is no variable %s; did you mean %s?", name,
+                    near);
+    return FAIL(k, n, "there is no variable %s", name);
+}
+
 static ix_status variable(checker *k, ix__node *n, ix__types *t)
 {
     const ix__sym *s = n->u.sym;
@@ -59,7 +70,7 @@ static ix_status variable(checker *k, ix__node *n, ix__types *t)
     }
     assigned = s->parsed == k->c->parse_no;
     if (!exists && !assigned)
-        return FAIL(k, n, "there is no variable %s", s->name);
+        return missing(k, n);
     if (assigned || k->c->calls)
         return IX_OK;
     *t = s->box ? 1u << s->box->type : s->declared;

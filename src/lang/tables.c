@@ -41,8 +41,8 @@ static const ix_builtin control[] = {
      "Runs body for each value of the counter from init to end.",
      "l = nil(); for (i = 1, 1, 3, snoc(i, l));", NULL, 0, 1},
     {"WHILE", "cond:num body:any -> nothing",
-     "Runs body as long as cond is not 0.", "i = 0; while (i < 9, i = i + 1: j = i);",
-     NULL, 0, 1},
+     "Runs body as long as cond is not 0.",
+     "i = 0; while (i < 9, i = i + 1: j = i);", NULL, 0, 1},
     {"FUNCTION", "params:any... -> nothing",
      "Defines a function: its value is what the body assigns to RETURN.",
      "f = function(x): return = x + 1;", NULL, 0, 1},
@@ -330,24 +330,55 @@ static void consider(nearest *best, const char *wanted, const char *name,
     best->n += best->n < 3;
 }
 
-bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size)
+/* "A, B or C"; false if there is none. */
+static bool list_names(const nearest *best, char *buf, size_t size)
 {
-    nearest best = {.n = 0};
-    size_t len = strlen(name);
-    int limit = len < 3 ? 0 : len < 5 ? 1 : 2;
-    const char *fn;
-    const ix_builtin *row;
     size_t at = 0;
 
-    for (size_t i = 0; (row = ix__builtin_at(i)); i++)
-        consider(&best, name, row->name, limit);
-    for (size_t i = 0; (fn = ix__fn_at(in, i)); i++)
-        consider(&best, name, fn, limit);
-    for (int i = 0; i < best.n && at < size; i++) {
-        const char *sep = i == 0 ? "" : i == best.n - 1 ? " or " : ", ";
-        int n = snprintf(buf + at, size - at, "%s%s", sep, best.name[i]);
+    for (int i = 0; i < best->n && at < size; i++) {
+        const char *sep = i == 0 ? "" : i == best->n - 1 ? " or " : ", ";
+        int n = snprintf(buf + at, size - at, "%s%s", sep, best->name[i]);
 
         at += n > 0 ? (size_t)n : 0;
     }
-    return best.n > 0;
+    return best->n > 0;
+}
+
+/* How many edits a name of this length may be away. */
+static int reach(const char *name)
+{
+    size_t len = strlen(name);
+
+    return len < 3 ? 0 : len < 5 ? 1 : 2;
+}
+
+bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size)
+{
+    nearest best = {.n = 0};
+    int limit = reach(name);
+    const char *fn;
+    const ix_builtin *row;
+
+    for (size_t i = 0; (row = ix__builtin_at(i)); i++)
+        consider(&best, name, row->name, limit);
+    for (const ix__startup_fn *f = ix__startup_text; f->name; f++)
+        consider(&best, name, f->name, limit);
+    for (size_t i = 0; (fn = ix__fn_at(in, i)); i++)
+        consider(&best, name, fn, limit);
+    return list_names(&best, buf, size);
+}
+
+bool ix__vars_near(ix_interp *in, const char *name, char *buf, size_t size)
+{
+    nearest best = {.n = 0};
+    int limit = reach(name);
+    const char *constant;
+    double v;
+
+    for (size_t i = 0; i < in->nsyms; i++)
+        if (in->sym[i]->box)
+            consider(&best, name, in->sym[i]->name, limit);
+    for (size_t i = 0; (constant = ix__constant_at(i, &v)); i++)
+        consider(&best, name, constant, limit);
+    return list_names(&best, buf, size);
 }

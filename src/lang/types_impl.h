@@ -84,9 +84,10 @@ ix_status ix__op_numbers(ix_interp *in, ix__op op, double l, double r,
 /* --- tables --------------------------------------------------------------- */
 /* A built-in by name (any case) with its signature; NULL: unknown. */
 const ix__bi *ix__bi_find(const char *name);
-/* Up to three known names near to name, as "A, B or C" into buf; false if
- * none is near. */
+/* Up to three known functions, or variables and constants, with names near to
+ * name, as "A, B or C" into buf; false if none is near. */
 bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size);
+bool ix__vars_near(ix_interp *in, const char *name, char *buf, size_t size);
 /* A predefined constant by its upper-case name. */
 bool ix__constant_find(const char *name, double *v);
 const char *ix__constant_at(size_t i, double *v); /* NULL past the last */

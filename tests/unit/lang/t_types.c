@@ -152,6 +152,14 @@ static void t_near_names(void **state)
     ASSERT_OK(s.ctx, session_run(&s, "myfunc = function(x): return = x;"));
     assert_true(ix__names_near(s.in, "MYFUNK", buf, sizeof buf));
     assert_string_equal(buf, "MYFUNC");
+    assert_true(ix__names_near(s.in, "SPHERSRF", buf, sizeof buf));
+    assert_string_equal(buf, "SPHERESRF");
+    ASSERT_OK(s.ctx, session_run(&s, "mycurve = 1;"));
+    assert_true(ix__vars_near(s.in, "MYCRUVE", buf, sizeof buf));
+    assert_string_equal(buf, "MYCURVE");
+    assert_true(ix__vars_near(s.in, "KV_OPNE", buf, sizeof buf));
+    assert_string_equal(buf, "KV_OPEN");
+    assert_false(ix__vars_near(s.in, "XX", buf, sizeof buf));
     session_close(&s);
 }
 
