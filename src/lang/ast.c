@@ -150,3 +150,29 @@ bool ix__node_is_var(const ix__node *n)
 {
     return n->kind >= N_GLOBAL && n->kind <= N_UNBOUND;
 }
+
+int ix__fn_slot(const ix__fn *fn, const char *name)
+{
+    for (int i = 0; i < fn->nslots; i++)
+        if (strcmp(fn->slot_name[i], name) == 0)
+            return i;
+    return -1;
+}
+
+ix_status ix__fn_add_slot(ix__fn *fn, const char *name)
+{
+    if (fn->nslots == fn->cap_slots) {
+        int cap = fn->cap_slots ? 2 * fn->cap_slots : 8;
+        const char **more = ix__unit_alloc(fn->unit,
+                                           (size_t)cap * sizeof *more);
+
+        if (!more)
+            return IX_ENOMEM;
+        if (fn->nslots)
+            memcpy(more, fn->slot_name, (size_t)fn->nslots * sizeof *more);
+        fn->slot_name = more;
+        fn->cap_slots = cap;
+    }
+    fn->slot_name[fn->nslots++] = name;
+    return IX_OK;
+}

@@ -93,7 +93,9 @@ struct ix__fn {
     const char *name;
     bool is_procedure;
     bool is_startup;
-    int nparams, nslots; /* slots: parameters, locals, RETURN (last) */
+    int nparams, nslots; /* slots: parameters, locals, RETURN, locals that were
+                            not declared */
+    int result, cap_slots; /* result: the slot of RETURN */
     const char **slot_name;
     ix__node *body;
     ix__pos pos;
@@ -115,5 +117,9 @@ ix_status ix__unit_add_line(ix__unit *u, const char *file, int number,
  * somebody kept the last one. */
 ix_obj *ix__node_box(ix__unit *u, ix__node *n);
 bool ix__node_is_var(const ix__node *n);
+/* The slot of a name, -1: none. Adding keeps name, which lives in the unit or
+ * longer. */
+int ix__fn_slot(const ix__fn *fn, const char *name);
+ix_status ix__fn_add_slot(ix__fn *fn, const char *name) IX_MUST_CHECK;
 
 #endif

@@ -23,8 +23,8 @@ static ix_status statement(checker *k, ix__node *n);
 /* --- variables
  * ---------------------------------------------------------------------- */
 
-/* A name in a function body that does not exist: reported once, fails when it
- * is used. */
+/* A name in a function body that exists nowhere and is never assigned: reported
+ * once, fails when it is used. */
 static void unbound(checker *k, ix__node *n)
 {
     char text[400];
@@ -35,10 +35,32 @@ static void unbound(checker *k, ix__node *n)
     n->u.sym->parsed = ~k->c->parse_no;
     (void)snprintf(text, sizeof text,
                    "%s uses %s, which is neither a parameter, a local nor an "
-                   "existing variable; define it before the function, or "
-                   "declare it after the header: ...):%s:",
-                   k->c->fn->name, n->u.sym->name, n->u.sym->name);
+                   "existing variable; define it before the function",
+                   k->c->fn->name, n->u.sym->name);
     ix__complain(k->in, k->u, n->pos, true, text);
+}
+
+/* One that the body assigns is a local that was not declared. */
+static ix_status undeclared(checker *k, ix__node *n)
+{
+    ix__fn *fn = k->c->fn;
+    const char *name = n->u.sym->name;
+    int slot = ix__fn_slot(fn, name);
+    char text[400];
+
+    if (slot < 0) {
+        slot = fn->nslots;
+        IX_TRY(ix__fn_add_slot(fn, name));
+        (void)snprintf(text, sizeof text,
+                       "%s is taken as a local of %s, for there is no such "
+                       "variable; declare it: %s = %s(...):%s:",
+                       name, fn->name, fn->name,
+                       fn->is_procedure ? "procedure" : "function", name);
+        ix__complain(k->in, k->u, n->pos, false, text);
+    }
+    n->kind = N_LOCAL;
+    n->u.slot = (size_t)slot;
+    return IX_OK;
 }
 
 static ix_status missing(checker *k, const ix__node *n)
@@ -61,14 +83,16 @@ static ix_status variable(checker *k, ix__node *n, ix__types *t)
     if (n->kind != N_GLOBAL)
         return IX_OK;
     exists = s->box || (k->in->opt.check_only && s->declared);
+    assigned = s->parsed == k->c->parse_no;
     if (k->c->fn) {
+        if (!exists && assigned)
+            return undeclared(k, n);
         if (!exists && k->in->opt.strict)
-            return FAIL(k, n, "there is no variable %s", s->name);
+            return missing(k, n);
         if (!exists)
             unbound(k, n);
         return IX_OK;
     }
-    assigned = s->parsed == k->c->parse_no;
     if (!exists && !assigned)
         return missing(k, n);
     if (assigned || k->c->calls)

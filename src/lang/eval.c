@@ -372,7 +372,7 @@ static ix_status run_body(ix_interp *in, const ix__node *n, ix__fn *fn,
 static ix_status take_result(ix_interp *in, const ix__node *n, const ix__fn *fn,
                              size_t base, ix__val *v)
 {
-    ix_obj **slot = &in->stack[base + (size_t)fn->nslots - 1];
+    ix_obj **slot = &in->stack[base + (size_t)fn->result];
 
     v->o = *slot;
     if (!v->o)

@@ -3,6 +3,7 @@
  * A soft failure (spec/language 9) of the call that is a whole statement, or
  * a whole right side, is reported here and the script goes on; anywhere else
  * it stops the script like any other failure. */
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -77,10 +78,7 @@ ix_status ix__assign(ix_interp *in, ix__node *n)
     ix__val v;
     ix_status st;
 
-    if (target->kind == N_UNBOUND)
-        return IX_FAIL_AT(in, in->unit, target->pos,
-                          "%s did not exist when the function was defined",
-                          target->u.sym->name);
+    assert(target->kind != N_UNBOUND); /* see check.c */
     st = right_side(in, n->kid[1], &v);
     if (st != IX_OK && !softened(in, n->kid[1]))
         return st;

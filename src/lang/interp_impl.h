@@ -122,7 +122,7 @@ ix_status ix__parse(ix_interp *in, ix__reader *rd, ix__unit *u, bool dynamic,
 typedef struct {
     unsigned long parse_no; /* symbols that it assigns carry this */
     bool calls;             /* it calls user functions or EXEC */
-    const ix__fn *fn;       /* that it defines */
+    ix__fn *fn;             /* that it defines */
 } ix__checks;
 /* The static check: undefined names, argument counts and types. */
 ix_status ix__check(ix_interp *in, ix__unit *u, const ix__checks *c,

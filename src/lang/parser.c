@@ -23,7 +23,6 @@ typedef struct {
     int depth;
     ix__checks checks;
     ix__fn *fn; /* being defined */
-    int cap_slots;
 } parser;
 
 /* A growing array of nodes in the unit. */
@@ -161,18 +160,10 @@ static ix_status enter(parser *p, ix__pos pos)
  * ---------------------------------------------------------------------------
  */
 
-static int slot_of(const ix__fn *fn, const char *name)
-{
-    for (int i = 0; i < fn->nslots; i++)
-        if (strcmp(fn->slot_name[i], name) == 0)
-            return i;
-    return -1;
-}
-
 static ix_status variable(parser *p, const ix__token *t, ix__node **out)
 {
     ix__node *n = node(p, N_GLOBAL, t->pos);
-    int slot = p->fn ? slot_of(p->fn, t->text) : -1;
+    int slot = p->fn ? ix__fn_slot(p->fn, t->text) : -1;
 
     *out = n;
     if (!n)
@@ -533,25 +524,13 @@ static ix_status add_slot(parser *p, const ix__token *t)
     char text[160];
 
     IX_TRY(check_new_name(p, t));
-    if (slot_of(fn, t->text) >= 0) {
+    if (ix__fn_slot(fn, t->text) >= 0) {
         (void)snprintf(text, sizeof text,
                        "%.60s is a parameter or local of %.60s already",
                        t->text, fn->name);
         return syntax(p, t->pos, text);
     }
-    if (fn->nslots == p->cap_slots) {
-        int cap = p->cap_slots ? 2 * p->cap_slots : 8;
-        const char **more = ix__unit_alloc(p->u, (size_t)cap * sizeof *more);
-
-        if (!more)
-            return IX_ENOMEM;
-        if (fn->nslots)
-            memcpy(more, fn->slot_name, (size_t)fn->nslots * sizeof *more);
-        fn->slot_name = more;
-        p->cap_slots = cap;
-    }
-    fn->slot_name[fn->nslots++] = t->text;
-    return IX_OK;
+    return ix__fn_add_slot(fn, t->text);
 }
 
 static ix_status parameters(parser *p)
@@ -637,6 +616,7 @@ static ix_status definition(parser *p, ix__node **out)
     IX_TRY(expect(p, T_COLON, "':' after the header"));
     IX_TRY(locals(p));
     result.pos = name.pos;
+    fn->result = fn->nslots;
     if (!fn->is_procedure)
         IX_TRY(add_slot(p, &result));
     IX_TRY(sequence(p, &fn->body));

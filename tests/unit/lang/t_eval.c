@@ -145,6 +145,12 @@ static void t_functions(void **state)
         {"f = function(x): return = -x; l = list(f(1), f(2)); "
          "r = nth(l, 2)",
          "-2"},
+        /* a name that is assigned and exists nowhere is a local */
+        {"f = function(x): t = x * 2: return = t + t; r = f(4) + "
+         "thisobj(\"t\")",
+         "16"},
+        {"pause = procedure(): t = 0; pause(); r = thisobj(\"t\")", "0"},
+        {"f = function(n): if (n > 0, t = n): return = t; r = f(2)", "2"},
         {"r = sizeof(usr_fn_list)", "0"},
         {"f = function(): return = 1; r = nth(usr_fn_list, 1)", "F"},
         {"f = function(): return = 1; fnfree(\"\"); f = 5; r = f", "5"},
@@ -240,6 +246,8 @@ static void t_errors(void **state)
          "p(); p()",
          "the function P was freed", false},
         {"f = function():y: return = y; f()", "Y has no value yet", false},
+        {"f = function(n): if (n > 0, t = n): return = t; f(0)",
+         "T has no value yet", false},
         {"f = function(): return = g1; a = 2",
          "F uses G1, which is neither a parameter", true},
         {"if (point(1, 2, 3) == point(1, 2, 3), r = list(nil() + nil()))", "",
