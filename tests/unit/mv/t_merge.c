@@ -213,7 +213,7 @@ static void errors(void **state)
                  two = {.ndirs = 2};
     ix_mv *a = ix_mv_randtest(ctx, &rng, &one);
     ix_mv *b = ix_mv_randtest(ctx, &rng, &two), *m, *n;
-    double p[19] = {NAN};
+    double p[19] = {(double)NAN};
 
     (void)state;
     assert_int_equal(ix_mv_merge(ctx, a, a, 1, IX_JOIN_JUMP, &m), IX_EARG);

@@ -34,8 +34,8 @@ static void bad_directions(void **state)
     refused(&(ix_dir){IX_BEZIER, 3, 4, false, NULL}, "4 points");
     refused(&(ix_dir){IX_POWER, 3, 3, true, NULL}, "periodic");
     refused(CURVE(3, 2, 0, 0, 0, 1, 1), "2 points for order 3");
-    refused(CURVE(3, 3, 0, 0, 0, NAN, 1, 1), "knot 3 is nan");
-    refused(CURVE(3, 3, 0, 0, 0, 1, 1, INFINITY), "knot 5 is inf");
+    refused(CURVE(3, 3, 0, 0, 0, (double)NAN, 1, 1), "knot 3 is nan");
+    refused(CURVE(3, 3, 0, 0, 0, 1, 1, HUGE_VAL), "knot 5 is inf");
     refused(CURVE(3, 4, 0, 0, 0, 2, 1, 3, 3), "knot 4 = 1 is below knot 3 = 2");
     refused(CURVE(2, 6, 0, 0, 1, 1, 1, 2, 3, 3), "knot 4 = 1 occurs more");
     refused(CURVE(2, 3, 0, 0, 0, 1, 1), "knot 2 = 0 occurs more");
@@ -48,7 +48,7 @@ static void bad_shapes(void **state)
     const ix_dir dir = {IX_BEZIER, 2, 2, false, NULL};
     ix_dir many[16];
     const double pts[40] = {0};
-    const double nan_pts[] = {0, NAN}, flat[] = {0, 0, 1, 1};
+    const double nan_pts[] = {0, (double)NAN}, flat[] = {0, 0, 1, 1};
     const double none[] = {0, 1, 0, 1};
     ix_mv *m;
 

@@ -79,7 +79,7 @@ static void scalars_join(void **state)
 static void point_replaced(void **state)
 {
     ix_rand_opts o = {.ncoords = 2, .rational = 1};
-    const double p[] = {2, 3, 4}, bad[] = {1, NAN, 1};
+    const double p[] = {2, 3, 4}, bad[] = {1, (double)NAN, 1};
     ix_mv *m = ix_mv_randtest(ctx, &rng, &o), *r;
     size_t n = ix_mv_npts(m);
 

@@ -348,7 +348,7 @@ static void errors(void **state)
     assert_int_equal(ix_mv_remove_knots(ctx, m, 0, -1, &r), IX_EARG);
     assert_int_equal(ix_mv_region(ctx, m, 0, 0.2, 1.1, &r), IX_EDOMAIN);
     assert_int_equal(ix_mv_region(ctx, m, 0, 0.2, 0.2, &r), IX_EDOMAIN);
-    assert_int_equal(ix_mv_region(ctx, m, 0, NAN, 0.2, &r), IX_EDOMAIN);
+    assert_int_equal(ix_mv_region(ctx, m, 0, (double)NAN, 0.2, &r), IX_EDOMAIN);
     assert_int_equal(ix_mv_region(ctx, pow, 0, 0, 0.2, &r), IX_EARG);
     assert_int_equal(ix_mv_split(ctx, m, 0, 1, half), IX_EDOMAIN);
     assert_int_equal(ix_mv_reparam(ctx, m, 0, 1, 1, &r), IX_EARG);

@@ -61,7 +61,8 @@ static void test_eps(void **state)
     ix_obj *a = ix__obj_number(ctx, 1), *b = ix__obj_number(ctx, 1 + 0x1p-10);
     ix_obj *p = ix__obj_plane(ctx, (double[]){1, 2, 3, 4});
     ix_obj *q = ix__obj_plane(ctx, (double[]){-1, -2, -3, -4});
-    ix_obj *n = ix__obj_number(ctx, NAN), *m = ix__obj_number(ctx, NAN);
+    ix_obj *n = ix__obj_number(ctx, (double)NAN),
+           *m = ix__obj_number(ctx, (double)NAN);
 
     (void)state;
     assert_false(equal(ctx, a, b, 0x1p-10)); /* must be closer than eps */
