@@ -67,6 +67,7 @@ extern const ix_builtin ix__builtins_trivar[]; /* and triangular patches */
 extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
+extern const ix_builtin ix__builtins_ops_crv[];
 extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 

@@ -1,0 +1,153 @@
+/* ops_crv.h - differential geometry of planar and space curves.
+ *
+ * All functions take curves of 2 or 3 coordinates, any basis, polynomial or
+ * rational, any continuity, and borrow them. ' = d/dt, x = p / w the curve,
+ * det of vectors. Degrees are of generic curves of degree d, polynomial /
+ * rational, in the form IX_FORM_MINIMAL; docs/ops has those of all forms. A
+ * negative degree: the field is identically zero (a result of degree 0).
+ *
+ * Common errors, not repeated below:
+ *   IX_EARG    not a curve, not 2 or 3 coordinates
+ *   IX_EDOMAIN all weights are zero; a number overflows
+ *   IX_EUNABLE an order above IX_MAX_ORDER */
+#ifndef IRITX_OPS_CRV_H
+#define IRITX_OPS_CRV_H
+
+#include "iritx/geom.h"
+#include "iritx/ops.h"
+#include "iritx/solve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- scalar fields ----------------------------------------------------------
+ */
+
+typedef enum {
+    IX_CRV_INFLECTION,    /* det(x', x'') of the first two coordinates */
+    IX_CRV_CRITICAL,      /* zero where the curvature is stationary */
+    IX_CRV_CURVATURE_SQR, /* squared curvature */
+    IX_CRV_TORSION_ZERO,  /* det(x', x'', x''') */
+    IX_CRV_TORSION        /* torsion */
+} ix_crv_field_kind;
+
+/* A scalar function of the curve's parameter.
+ *
+ *   INFLECTION   w^3 det(x', x'')                         2d-4 / 3d-6
+ *   CRITICAL     planar: w^8 |x'|^5 kappa'                4d-7 / 8d-12
+ *                space: w^11 |x'|^8 (kappa^2)'            6d-11 / 11d-18
+ *   CURVATURE_SQR  |x' x x''|^2 / |x'|^6, rational        6d-6 / 12d-12
+ *   TORSION_ZERO w^4 det(x', x'', x''')                   3d-9 / 4d-12
+ *   TORSION      det(x', x'', x''') / |x' x x''|^2        4d-8 / 6d-12
+ *
+ * (w = 1 for polynomial curves.) The other degree forms give the same function
+ * times a power of w, with two exceptions: IX_FORM_NAIVE's CRITICAL is
+ * (kappa^2)', IX_FORM_IRIT's the derivative of |kappa N|^2: both vanish at
+ * inflections as well. Fields that IRIT does not have are minimal in
+ * IX_FORM_IRIT.
+ *
+ * In    crv    space curves in a plane z = const count as planar
+ *       o      NULL: minimal
+ * Out   *out   E1 (polynomial) or P1, domain of crv; new reference
+ *       rep    residual: largest deviation from the values of derivatives at
+ *              nine parameters, relative to the largest value
+ * Err   IX_EARG    torsion of a planar curve's two coordinates is zero: no
+ *                  error; other coordinates counts see above
+ *       IX_EDOMAIN TORSION of a straight line, CURVATURE_SQR of a point
+ * Src   Chen, Riesenfeld & Cohen 2005, 3.1, 3.2 and (4.6); minimal degrees by
+ *       Wronskians of one degree (docs/ops/crv_field.md) */
+ix_status ix_crv_field(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
+                       const ix_op_opts *o, ix_report *rep,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* The graph (t, f(t)) of a scalar function of one parameter.
+ *
+ * In    nodes   the abscissa of a rational f: true - its control points are at
+ *               the nodes of its degree, as IRIT, so that x(t) is not exactly
+ *               t; false - exact, one degree more
+ * Out   *out    E2 or P2; degree at least 1 */
+ix_status ix_crv_graph(ix_ctx *ctx, const ix_mv *f, bool nodes,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* --- special points ---------------------------------------------------------
+ */
+
+typedef enum {
+    IX_CRV_FLAT,      /* the curvature is zero (in the plane: an inflection if
+                         root.before and root.after differ) */
+    IX_CRV_MAX,       /* of the absolute curvature */
+    IX_CRV_MIN,       /* above 0 */
+    IX_CRV_STATIONARY /* the derivative is zero, but neither */
+} ix_crv_mark;
+
+typedef struct {
+    ix_root root; /* of the field; IX_ROOT_JUMP: an extremum at a knot where
+                     the derivative changes its sign by a jump */
+    ix_crv_mark mark;
+    double curvature; /* absolute, at root.t (from the right at a knot) */
+} ix_crv_feature;
+
+/* Zeros of the curvature of the curve projected to the xy plane, by increasing
+ * t; straight pieces are intervals.
+ *
+ * Out   *roots  array of *n, freed with ix_roots_free */
+ix_status ix_crv_inflections(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
+                             int *n) IX_MUST_CHECK;
+/* Zeros of the torsion; none for curves of two coordinates. */
+ix_status ix_crv_torsion_zeros(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
+                               int *n) IX_MUST_CHECK;
+/* Extrema of the absolute curvature and its zeros, by increasing t. Pieces of
+ * constant curvature (lines, circles) have none. An end of the domain is listed
+ * if the curvature is stationary there.
+ *
+ * Out   *f   array of *n, freed with ix_crv_features_free */
+ix_status ix_crv_features(ix_ctx *ctx, const ix_mv *crv, ix_crv_feature **f,
+                          int *n) IX_MUST_CHECK;
+void ix_crv_features_free(ix_ctx *ctx, ix_crv_feature *f, int n);
+
+/* The absolute curvature at t.
+ *
+ * Err   IX_EDOMAIN a pole, x' = 0, t outside */
+ix_status ix_crv_curvature(ix_ctx *ctx, const ix_mv *crv, double t,
+                           double *out) IX_MUST_CHECK;
+
+/* --- curves ------------------------------------------------------------------
+ */
+
+/* The vector of curvature, kappa N = (x' x x'') x x' / |x'|^4.
+ *
+ * Out   *out   P3; degree 4d-4 / 8d-8
+ * Err   IX_EDOMAIN the curve is a point */
+ix_status ix_crv_normal_field(ix_ctx *ctx, const ix_mv *crv,
+                              const ix_op_opts *o, ix_report *rep,
+                              ix_mv **out) IX_MUST_CHECK;
+
+/* The centres of curvature, x + N / kappa.
+ *
+ *   planar: (w^2 K p + Q D_r) / (w^3 K), K the inflection field, D = p'w - pw'
+ *           (D_r turned by +90 degrees), Q = |D|^2: 3d-3 / 6d-6
+ *   space:  (w^2 |V|^2 p + Q V x D) / (w^3 |V|^2), V the direction of the
+ *           binormal: 5d-7 / 9d-12
+ *
+ * Out   *out   rational, 2 or 3 coordinates as crv (3 in IX_FORM_IRIT); the
+ *              weights add up to a positive number. At an inflection the
+ *              evolute passes through infinity: its weight has a zero there
+ *              (ix_roots of axis 0 lists these poles). At a cusp of crv the
+ *              evolute is at the cusp. The evolute of a circle is its centre:
+ *              a constant curve, of lower degree by ix_sym_reduce
+ *       rep    residual: (E - x).x' and (E - x).x'' - |x'|^2, relative
+ * Err   IX_EDOMAIN straight on a span (the message names it): there the
+ *                  evolute is at infinity
+ * Src   Chen, Riesenfeld & Cohen 2005, (3.6) and 3.3; (4.4) */
+ix_status ix_evolute(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
+                     ix_report *rep, ix_mv **out) IX_MUST_CHECK;
+/* The same for the parts of crv that are not straight, each with its interval:
+ * none if all is straight. */
+ix_status ix_evolute_pieces(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
+                            ix_crvs *out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,95 @@
+/* ratio.c - arithmetic of fractions without any cancellation. */
+#include "ops/ratio.h"
+
+ix_status ix__ratio_even(ix_ctx *ctx, ix_frac *f)
+{
+    int d = f->x.dirs[0].degree;
+
+    if (!f->rational)
+        return IX_OK;
+    d = f->w.dirs[0].degree > d ? f->w.dirs[0].degree : d;
+    IX_TRY(ix__form_elevate(ctx, &f->x, &d, &f->x));
+    return ix__form_elevate(ctx, &f->w, &d, &f->w);
+}
+
+ix_frac ix__ratio_of(const ix_curve *c)
+{
+    return (ix_frac){c->p, c->w, c->rational};
+}
+
+ix_status ix__ratio_derive(ix_ctx *ctx, const ix_frac *f, ix_frac *out)
+{
+    ix_frac r = {.rational = f->rational};
+    ix_form dx, dw;
+
+    IX_TRY(ix__form_derive(ctx, &f->x, 0, &dx));
+    if (!f->rational) {
+        r.x = dx;
+        *out = r;
+        return IX_OK;
+    }
+    IX_TRY(ix__form_derive(ctx, &f->w, 0, &dw));
+    IX_TRY(ix__form_mul(ctx, &dx, &f->w, &r.x));
+    IX_TRY(ix__form_mul_add(ctx, &f->x, -1, &dw, &r.x));
+    IX_TRY(ix__form_mul(ctx, &f->w, &f->w, &r.w));
+    IX_TRY(ix__ratio_even(ctx, &r));
+    *out = r;
+    return IX_OK;
+}
+
+ix_status ix__ratio_product(ix_ctx *ctx, ix__form_product product,
+                            const ix_frac *a, const ix_frac *b, ix_frac *out)
+{
+    ix_frac r = {.rational = false};
+
+    IX_TRY(product(ctx, &a->x, &b->x, &r.x));
+    IX_TRY(ix__frac_weights(ctx, a, b, &r));
+    *out = r;
+    return IX_OK;
+}
+
+ix_status ix__ratio_over(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
+                         ix_frac *out)
+{
+    ix_frac r = {.x = a->x, .w = b->x, .rational = true};
+
+    if (b->rational)
+        IX_TRY(ix__form_mul(ctx, &a->x, &b->w, &r.x));
+    if (a->rational)
+        IX_TRY(ix__form_mul(ctx, &b->x, &a->w, &r.w));
+    *out = r;
+    return IX_OK;
+}
+
+ix_status ix__ratio_add(ix_ctx *ctx, const ix_frac *a, int sign,
+                        const ix_frac *b, ix_frac *out)
+{
+    ix_form l = a->x, r = b->x, x;
+    ix_frac sum = {.rational = false};
+
+    if (b->rational)
+        IX_TRY(ix__form_mul(ctx, &l, &b->w, &l));
+    if (a->rational)
+        IX_TRY(ix__form_mul(ctx, &r, &a->w, &r));
+    IX_TRY(ix__form_add(ctx, &l, sign, &r, &x));
+    IX_TRY(ix__frac_weights(ctx, a, b, &sum));
+    sum.x = x;
+    *out = sum;
+    return IX_OK;
+}
+
+ix_status ix__form_det2(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                        ix_form *out)
+{
+    static const ix_form_term t[2] = {{0, 0, 1, 1}, {0, 1, 0, -1}};
+
+    return ix__form_bilinear(ctx, a, b, 1, 2, t, out);
+}
+
+ix_status ix__form_turned(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                          ix_form *out)
+{
+    static const ix_form_term t[2] = {{0, 0, 1, -1}, {1, 0, 0, 1}};
+
+    return ix__form_bilinear(ctx, a, b, 2, 2, t, out);
+}

@@ -1,0 +1,41 @@
+/* ratio.h - rational functions of one parameter as a straightforward system
+ * computes them: quotient rule, cross-multiplied sums, no common factor ever
+ * removed. This is what the degree forms naive and irit are made of; their
+ * degrees come out of this arithmetic. */
+#ifndef OPS_RATIO_H
+#define OPS_RATIO_H
+
+#include "ops/curve.h"
+#include "sym/frac.h"
+
+/* A piecewise rational function has one degree: numerators and denominator are
+ * elevated to the larger of both. Does nothing to polynomials. */
+ix_status ix__ratio_even(ix_ctx *ctx, ix_frac *f) IX_MUST_CHECK;
+/* The curve itself. */
+ix_frac ix__ratio_of(const ix_curve *c);
+/* (X'W - XW') / W^2 of degree 2d; the derivative of a polynomial. */
+ix_status ix__ratio_derive(ix_ctx *ctx, const ix_frac *f,
+                           ix_frac *out) IX_MUST_CHECK;
+
+typedef ix_status (*ix__form_product)(ix_ctx *ctx, const ix_form *a,
+                                      const ix_form *b, ix_form *out);
+/* Any product of the numerators (ix__form_mul, _dot, _cross, ix__turn) over
+ * the product of the denominators. */
+ix_status ix__ratio_product(ix_ctx *ctx, ix__form_product product,
+                            const ix_frac *a, const ix_frac *b,
+                            ix_frac *out) IX_MUST_CHECK;
+/* a over the scalar b. */
+ix_status ix__ratio_over(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
+                         ix_frac *out) IX_MUST_CHECK;
+/* a + sign b; a polynomial numerator counts as over 1. */
+ix_status ix__ratio_add(ix_ctx *ctx, const ix_frac *a, int sign,
+                        const ix_frac *b, ix_frac *out) IX_MUST_CHECK;
+
+/* det(a, b) of rows 0 and 1. */
+ix_status ix__form_det2(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                        ix_form *out) IX_MUST_CHECK;
+/* The scalar a times b turned by +90 degrees: (-a b_1, a b_0). */
+ix_status ix__form_turned(ix_ctx *ctx, const ix_form *a, const ix_form *b,
+                          ix_form *out) IX_MUST_CHECK;
+
+#endif

@@ -1,0 +1,24 @@
+/* report.h - filling in what an operator tells of its result. */
+#ifndef OPS_REPORT_H
+#define OPS_REPORT_H
+
+#include "iritx/ops.h"
+
+/* Form, orders; the residual is NaN until measured. rep may be NULL. */
+void ix__report_init(ix_report *rep, ix_degree_form form, const ix_mv *result);
+/* The form of the options, minimal by default; IX_EARG if there is no such. */
+ix_status ix__form_of_opts(ix_ctx *ctx, const ix_op_opts *o,
+                           ix_degree_form *out) IX_MUST_CHECK;
+
+/* Calls fn at nine parameters inside the domain of direction 0 of crv, with
+ * derivatives 0 .. 3 in three coordinates and the weight; parameters at poles
+ * are left out. fn adds to *worst. */
+typedef struct {
+    double t, w, x[4][3];
+} ix_probe;
+typedef ix_status (*ix__probe_fn)(ix_ctx *ctx, const ix_probe *at,
+                                  const void *arg, double *worst);
+ix_status ix__probe(ix_ctx *ctx, const ix_mv *crv, ix__probe_fn fn,
+                    const void *arg, double *worst) IX_MUST_CHECK;
+
+#endif
