@@ -49,7 +49,7 @@ static ix_status undefined(ix_interp *in, const ix__node *n)
     return IX_FAIL_AT(in, in->unit, n->pos, "%s has no value yet", name);
 }
 
-static ix_status variable_box(ix_interp *in, const ix__node *n, ix_obj **out)
+ix_status ix__node_var_box(ix_interp *in, const ix__node *n, ix_obj **out)
 {
     *out = n->kind == N_UNBOUND ? NULL : *ix__node_slot(in, n);
     return *out ? IX_OK : undefined(in, n);
@@ -59,7 +59,7 @@ static ix_status variable(ix_interp *in, const ix__node *n, ix__val *v)
 {
     ix_obj *box;
 
-    IX_TRY(variable_box(in, n, &box));
+    IX_TRY(ix__node_var_box(in, n, &box));
     assert(box);
     if (box->type == IX_OBJ_NUMBER)
         v->num = box->u.num;
@@ -465,7 +465,7 @@ ix_status ix__eval(ix_interp *in, ix__node *n, ix__val *v)
 /* The variable's own box, with its name. */
 static ix_status own_box(ix_interp *in, const ix__node *n, ix_obj **out)
 {
-    IX_TRY(variable_box(in, n, out));
+    IX_TRY(ix__node_var_box(in, n, out));
     if (!(*out)->name)
         IX_TRY(ix__obj_set_name(in->ctx, *out, ix__node_name(in, n)));
     (void)ix__obj_ref(*out);

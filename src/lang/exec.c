@@ -60,15 +60,20 @@ static ix_status store(ix_interp *in, const ix__node *target, ix__val *v)
 /* The value of the right side: a variable's own box, for its attributes. */
 static ix_status right_side(ix_interp *in, ix__node *n, ix__val *v)
 {
+    ix_obj *box;
+
     *v = (ix__val){NULL, 0, false};
-    if (!ix__node_is_var(n) && n->kind != N_ASSIGN)
-        return ix__eval_maybe(in, n, v);
-    IX_TRY(ix__eval_box(in, n, &v->o));
-    if (v->o->type == IX_OBJ_NUMBER && !v->o->attrs) {
-        v->num = v->o->u.num;
-        ix__obj_unref(in->ctx, v->o);
-        v->o = NULL;
+    if (n->kind == N_ASSIGN) {
+        IX_TRY(ix__assign(in, n));
+        n = n->kid[0];
     }
+    if (!ix__node_is_var(n))
+        return ix__eval_maybe(in, n, v);
+    IX_TRY(ix__node_var_box(in, n, &box));
+    if (box->type == IX_OBJ_NUMBER && !box->attrs)
+        v->num = box->u.num;
+    else
+        v->o = ix__obj_ref(box);
     return IX_OK;
 }
 

@@ -150,6 +150,10 @@ ix_status ix__eval_maybe(ix_interp *in, ix__node *n, ix__val *v) IX_MUST_CHECK;
 ix_status ix__eval_box(ix_interp *in, ix__node *n, ix_obj **out) IX_MUST_CHECK;
 ix_status ix__eval_num(ix_interp *in, ix__node *n, const char *what,
                        double *out) IX_MUST_CHECK;
+/* The box of a variable (borrowed, perhaps without a name yet). Err IX_EARG it
+ * is not defined. */
+ix_status ix__node_var_box(ix_interp *in, const ix__node *n,
+                           ix_obj **out) IX_MUST_CHECK;
 /* Where a variable's box is kept; its name. */
 ix_obj **ix__node_slot(ix_interp *in, const ix__node *n);
 const char *ix__node_name(const ix_interp *in, const ix__node *n);

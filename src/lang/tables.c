@@ -77,8 +77,9 @@ static const ix_builtin *const tables[] = {
 };
 #define NTABLES (sizeof tables / sizeof *tables)
 
-#define MAX_BUILTINS 1024
-#define NSLOTS       4096 /* of the hash table: a power of two */
+#define MAX_BUILTINS   1024
+#define NSLOTS         4096 /* of the hash table: a power of two */
+#define CONSTANT_SLOTS 512
 
 static ix__bi all[MAX_BUILTINS];
 static size_t count;
@@ -261,14 +262,39 @@ const char *ix__constant_at(size_t i, double *v)
     return constants[i].name;
 }
 
+/* An index of its own, for every name that a script uses is looked up here. */
+#define NCONSTANTS (sizeof constants / sizeof *constants)
+static unsigned char constant_slot[CONSTANT_SLOTS]; /* 1 + index; 0: empty */
+_Static_assert(NCONSTANTS < 255 && NCONSTANTS < CONSTANT_SLOTS / 2, "room");
+
+static size_t find_constant_slot(const char *name)
+{
+    size_t i = hash(name) % CONSTANT_SLOTS;
+
+    while (constant_slot[i] &&
+           strcmp(constants[constant_slot[i] - 1].name, name) != 0)
+        i = (i + 1) % CONSTANT_SLOTS;
+    return i;
+}
+
+static void index_constants(void)
+{
+    for (size_t i = 0; i < NCONSTANTS; i++)
+        constant_slot[find_constant_slot(constants[i].name)] =
+            (unsigned char)(i + 1);
+}
+
 bool ix__constant_find(const char *name, double *v)
 {
-    const char *s;
+    static pthread_once_t indexed = PTHREAD_ONCE_INIT;
+    size_t i;
 
-    for (size_t i = 0; (s = ix__constant_at(i, v)); i++)
-        if (strcmp(s, name) == 0)
-            return true;
-    return false;
+    (void)pthread_once(&indexed, index_constants);
+    i = find_constant_slot(name);
+    if (!constant_slot[i])
+        return false;
+    *v = constants[constant_slot[i] - 1].v;
+    return true;
 }
 
 /* --- names that are near
