@@ -42,7 +42,8 @@ def environment(**extra):
            if not k.startswith(('LC_', 'LANG', 'IRITX_', 'IRIT_'))}
     env['ASAN_OPTIONS'] = 'detect_leaks=1:allocator_may_return_null=1:exitcode=99'
     env['UBSAN_OPTIONS'] = 'print_stacktrace=1:exitcode=99'
-    env['LSAN_OPTIONS'] = 'exitcode=99'
+    env['LSAN_OPTIONS'] = ('exitcode=99:print_suppressions=0:suppressions=' +
+                          os.path.join(os.path.dirname(os.path.abspath(__file__)), 'lsan.supp'))
     env.update(extra)
     return env
 
