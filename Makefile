@@ -46,7 +46,7 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(PKG_CPPFLAGS) -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 # Exact arithmetic in tests only, as an independent truth; left out if absent.
 FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
@@ -95,6 +95,10 @@ $(B)/%.o: %.c $(B)/.flags
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CPPFLAGS) $(ALL_CFLAGS) -c $< -o $@
+# The schema of XML files, as numbers of bytes between the braces of an array.
+$(B)/gen/iritx_rng.h: docs/iritx.rng
+	@mkdir -p $(@D); od -An -v -tu1 $< | sed 's/[0-9][0-9]*/&,/g' > $@
+$(call obj,src/io/xml_validate.c): $(B)/gen/iritx_rng.h
 $(B)/.srcs: FORCE
 	@mkdir -p $(B); echo $(LIB_SRC) | cmp -s - $@ || echo $(LIB_SRC) > $@
 $(LIB): $(call obj,$(LIB_SRC)) $(B)/.srcs

@@ -12,6 +12,8 @@ static const command commands[] = {
      cmd_draw},
     {"info", "FILE...", "what files hold: names, types, orders, boxes",
      cmd_info},
+    {"validate", "FILE...", "checks XML files by schema and contents",
+     cmd_validate},
 };
 #define NCOMMANDS (sizeof commands / sizeof *commands)
 

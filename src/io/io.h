@@ -55,6 +55,10 @@ ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
  * IX_EUNABLE too deep, too long, a name of more than 32 KiB; IX_EDOMAIN a
  * number is not finite; IX_ENOMEM. On failure b holds part of the text. */
 ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
+/* Against docs/iritx.rng, which states the grammar, not counts and values.
+ * Err IX_EPARSE (message "fname:line:col: error: ..."), IX_ENOMEM. */
+ix_status ix__xml_validate(ix_ctx *ctx, const char *fname, const char *text,
+                           size_t n) IX_MUST_CHECK;
 
 /* --- formats that a program adds ---------------------------------------- */
 /* Appends o in a format of its own. */
