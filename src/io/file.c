@@ -266,7 +266,8 @@ ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
     ix_status st = IX_OK;
 
     ix__buf_init(&packed, ctx);
-    if (ends_with(name, ".gz") || ends_with(name, ".Z")) {
+    if (ends_with(name, ".gz") || ends_with(name, ".Z") ||
+        ends_with(name, ".x3dz")) {
         st = ix__gz_deflate(ctx, data, n, &packed);
         data = packed.data;
         n = packed.len;

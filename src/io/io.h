@@ -60,6 +60,11 @@ ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
 ix_status ix__xml_validate(ix_ctx *ctx, const char *fname, const char *text,
                            size_t n) IX_MUST_CHECK;
 
+/* --- X3D (docs/x3d.md) -------------------------------------------------- */
+/* Appends a whole scene. What X3D cannot show is left out, with a note. Err
+ * IX_EUNABLE as ix__xml_write, IX_ENOMEM. */
+ix_status ix__x3d_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
+
 /* --- formats that a program adds ---------------------------------------- */
 /* Appends o in a format of its own. */
 typedef ix_status (*ix__write_fn)(ix_buf *b, const ix_obj *o,
@@ -76,7 +81,7 @@ void ix__save_register(const char *suffix, ix__write_fn fn);
 ix_status ix__file_read(ix_ctx *ctx, const char *name,
                         ix_buf *out) IX_MUST_CHECK;
 /* Writes a temporary file beside name, syncs it, renames it onto name; gzips
- * if the name ends in .gz or .Z. On failure nothing is left behind. */
+ * if the name ends in .gz, .Z or .x3dz. On failure nothing is left behind. */
 ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
                          size_t n) IX_MUST_CHECK;
 

@@ -25,6 +25,12 @@ static ix_status write_xml(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
     return ix__xml_write(b, o);
 }
 
+static ix_status write_x3d(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
+{
+    (void)w;
+    return ix__x3d_write(b, o);
+}
+
 /* Suffixes that mean something; without functions: known, not supported. */
 static const struct format {
     const char *suffix;
@@ -34,6 +40,8 @@ static const struct format {
     {"itd", ix__itd_read, write_itd},
     {"imd", ix__itd_read, write_itd},
     {"xml", ix__xml_read, write_xml},
+    {"x3d", NULL, write_x3d},
+    {"x3dz", NULL, write_x3d},
     {"ibd", NULL, NULL},
     {"icd", NULL, NULL},
     {"igs", NULL, NULL},
@@ -95,12 +103,13 @@ static const struct format *find_format(const char *name)
     return NULL;
 }
 
-static ix_status unsupported(ix_ctx *ctx, const char *name, const char *suffix)
+static ix_status unsupported(ix_ctx *ctx, const char *name, const char *suffix,
+                             const char *done)
 {
     return IX_FAIL(ctx, IX_EARG,
-                   "%.200s: files of type \"%s\" are not supported; \"itd\" "
-                   "and \"xml\" are",
-                   name, suffix);
+                   "%.200s: files of type \"%s\" cannot be %s; \"itd\" and "
+                   "\"xml\" can",
+                   name, suffix, done);
 }
 
 static void with_itd(ix_buf *b, const char *name)
@@ -137,7 +146,7 @@ static ix_status load_file(ix_ctx *ctx, const char *name, ix_obj **out)
     ix_status st;
 
     if (!reader)
-        return unsupported(ctx, name, f->suffix);
+        return unsupported(ctx, name, f->suffix, "read");
     IX_TRY(ix__file_read(ctx, name, &text));
     st = reader(ctx, name, text.data, text.len, out);
     ix__buf_free(&text);
@@ -190,7 +199,7 @@ ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
     ix_status st;
 
     if (f && !f->write)
-        return unsupported(ctx, name, f->suffix);
+        return unsupported(ctx, name, f->suffix, "written");
     if (f)
         return save_as(ctx, name, f->write, o, w);
     ix__buf_init(&full, ctx);

@@ -1,0 +1,567 @@
+/* x3d_nurbs.c - freeforms as the nodes of X3D's NURBS component.
+ *
+ * X3D has homogeneous control points, multiplied by their weights, as we
+ * have: they go out as they are (spec/ecosystem 4). Weights must be positive:
+ * what has poles is halved until all but small pieces around them have. */
+#include <math.h>
+#include <string.h>
+
+#include "io/x3d_impl.h"
+#include "mv/mv.h"
+
+/* --- into the form of X3D --------------------------------------------- */
+
+/* Positive weights, if need be by changing the sign of everything. */
+static ix_status positive(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
+{
+    ix_mv *copy;
+
+    if (!ix_mv_rational(m) || ix_mv_weights(m)[0] > 0) {
+        *out = ix_mv_ref(m);
+        return IX_OK;
+    }
+    IX_TRY(ix__mv_alloc(ctx, m->ndirs, m->dirs, m->ncoords, true, &copy));
+    for (size_t i = 0; i < m->npts * (size_t)m->naxes; i++)
+        copy->pts[i] = -m->pts[i];
+    *out = copy;
+    return IX_OK;
+}
+
+/* An open B-spline of orders 2 and more, with ncoords coordinates. */
+static ix_status prepare(ix_ctx *ctx, const ix_mv *m, int ncoords, ix_mv **out)
+{
+    ix_mv *cur, *next = NULL;
+    ix_status st = ix__mv_no_power(ctx, m, &cur);
+
+    if (st == IX_OK)
+        st = ix__mv_step(ctx, &cur, &next, ix_mv_to_bspline(ctx, cur, &next));
+    if (st == IX_OK)
+        st = ix__mv_step(ctx, &cur, &next, ix_mv_to_open(ctx, cur, &next));
+    if (st == IX_OK)
+        st = ix__mv_step(
+            ctx, &cur, &next,
+            ix_mv_coerce(ctx, cur, ncoords, ix_mv_rational(cur), &next));
+    if (st == IX_OK)
+        st = ix__mv_step(ctx, &cur, &next, positive(ctx, cur, &next));
+    for (int d = 0; st == IX_OK && d < ix_mv_ndirs(m); d++)
+        if (ix_mv_order(cur, d) < 2)
+            st = ix__mv_step(ctx, &cur, &next,
+                             ix_mv_raise(ctx, cur, d, 2, &next));
+    *out = st == IX_OK ? cur : NULL;
+    return st;
+}
+
+/* --- nodes ------------------------------------------------------------ */
+
+static void put_knots(ix__x3d *w, const char *name, const ix_mv *m, int d)
+{
+    ix__x3d_rows(w, name, (size_t)ix_mv_nknots(m, d), 1, ix_mv_dir(m, d).knots,
+                 0);
+}
+
+static void put_weights(ix__x3d *w, const ix_mv *m)
+{
+    if (ix_mv_rational(m))
+        ix__x3d_rows(w, "weight", ix_mv_npts(m), 1, ix_mv_weights(m), 0);
+}
+
+/* Behind the attributes of a node: its points, as children, stay open. */
+static void put_points(ix__x3d *w, const ix_mv *m)
+{
+    ix__buf_puts(w->b, ">\n");
+    w->depth++;
+    ix__x3d_indent(w);
+    ix__buf_puts(w->b, "<CoordinateDouble containerField=\"controlPoint\"");
+    ix__x3d_rows(w, "point", ix_mv_npts(m), 3, ix_mv_coord(m, 0),
+                 ix_mv_npts(m));
+    ix__buf_puts(w->b, "/>\n");
+    w->depth--;
+}
+
+/* Non-empty knot intervals of an open B-spline. */
+static int spans(const ix_mv *m, int d)
+{
+    ix_dir dir = ix_mv_dir(m, d);
+    int n = 0;
+
+    for (int i = dir.order - 1; i < dir.length; i++)
+        n += dir.knots[i] < dir.knots[i + 1];
+    return n;
+}
+
+/* Faces or segments: 8 for each degree and span, at most 256. */
+static int steps(const ix_mv *m, int d)
+{
+    int each = 8 * (ix_mv_order(m, d) - 1);
+    int n = spans(m, d);
+
+    return n > 256 / each ? (n > 256 ? n : 256) : n * each;
+}
+
+static ix_status put_curve(ix__x3d *w, const char *name,
+                           const ix__x3d_look *look, const ix_mv *m)
+{
+    IX_TRY(ix__x3d_shape(w, name, look, true));
+    ix__x3d_indent(w);
+    ix__buf_printf(w->b, "<NurbsCurve order=\"%d\" tessellation=\"%d\"",
+                   ix_mv_order(m, 0), steps(m, 0));
+    put_knots(w, "knot", m, 0);
+    put_weights(w, m);
+    put_points(w, m);
+    ix__x3d_line(w, "</NurbsCurve>");
+    ix__x3d_end_shape(w);
+    return IX_OK;
+}
+
+/* The opening tag of a surface's node and its points. */
+static void open_surface(ix__x3d *w, const char *node, const ix_mv *m)
+{
+    ix__x3d_indent(w);
+    ix__buf_printf(w->b,
+                   "<%s solid=\"false\" uDimension=\"%d\" vDimension=\"%d\" "
+                   "uOrder=\"%d\" vOrder=\"%d\" uTessellation=\"%d\" "
+                   "vTessellation=\"%d\"",
+                   node, ix_mv_length(m, 0), ix_mv_length(m, 1),
+                   ix_mv_order(m, 0), ix_mv_order(m, 1), steps(m, 0),
+                   steps(m, 1));
+    put_knots(w, "uKnot", m, 0);
+    put_knots(w, "vKnot", m, 1);
+    put_weights(w, m);
+    put_points(w, m);
+}
+
+static ix_status put_surface(ix__x3d *w, const char *name,
+                             const ix__x3d_look *look, const ix_mv *m)
+{
+    IX_TRY(ix__x3d_shape(w, name, look, false));
+    open_surface(w, "NurbsPatchSurface", m);
+    ix__x3d_line(w, "</NurbsPatchSurface>");
+    ix__x3d_end_shape(w);
+    return IX_OK;
+}
+
+/* --- curves as lines -------------------------------------------------- */
+
+/* n parameters: so many to a span, its ends included. */
+static int parameters(const ix_mv *m, int each, double *t)
+{
+    ix_dir dir = ix_mv_dir(m, 0);
+    int n = 0;
+
+    for (int i = dir.order - 1; i < dir.length; i++) {
+        double a = dir.knots[i], b = dir.knots[i + 1];
+
+        for (int k = 0; a < b && k < each; k++)
+            t[n++] = a + (b - a) * k / each;
+    }
+    t[n++] = dir.knots[dir.length];
+    return n;
+}
+
+static ix_status put_line(ix__x3d *w, const ix__x3d_look *look, const ix_mv *m)
+{
+    ix_ctx *ctx = w->b->ctx;
+    int each = ix_mv_order(m, 0) == 2 ? 1 : 8 * (ix_mv_order(m, 0) - 1);
+    size_t most = (size_t)each * (size_t)spans(m, 0) + 1, n;
+    double *t, *pts;
+
+    IX_SCRATCH(ctx, t, most);
+    IX_SCRATCH(ctx, pts, 3 * most);
+    n = (size_t)parameters(m, each, t);
+    IX_TRY(ix_mv_point_many(ctx, m, n, t, pts));
+    IX_TRY(ix__x3d_shape(w, NULL, look, true));
+    ix__x3d_line(w, "<LineSet vertexCount=\"%zu\">", n);
+    w->depth++;
+    ix__x3d_indent(w);
+    ix__buf_puts(w->b, "<Coordinate");
+    ix__x3d_rows(w, "point", n, 3, pts, n);
+    ix__buf_puts(w->b, "/>\n");
+    w->depth--;
+    ix__x3d_line(w, "</LineSet>");
+    ix__x3d_end_shape(w);
+    return IX_OK;
+}
+
+/* Both, of which a browser shows the first: choice 1 is for those that do not
+ * know NURBS. */
+static ix_status put_both(ix__x3d *w, const char *name,
+                          const ix__x3d_look *look, const ix_mv *m)
+{
+    ix__x3d_line(w, "<Switch whichChoice=\"0\">");
+    w->depth++;
+    IX_TRY(put_curve(w, name, look, m));
+    IX_RETURN_SCOPED(w->b->ctx, put_line(w, look, m));
+}
+
+/* --- multivariates ---------------------------------------------------- */
+
+static ix_status put_prepared(ix__x3d *w, const char *name,
+                              const ix__x3d_look *look, const ix_mv *m)
+{
+    if (ix_mv_ndirs(m) == 2)
+        return put_surface(w, name, look, m);
+    IX_TRY(put_both(w, name, look, m));
+    w->depth--;
+    ix__x3d_line(w, "</Switch>");
+    return IX_OK;
+}
+
+static ix_status put_whole(ix__x3d *w, const char *name,
+                           const ix__x3d_look *look, const ix_mv *m)
+{
+    ix_mv *ready;
+    ix_status st;
+
+    IX_TRY(prepare(w->b->ctx, m, 3, &ready));
+    st = put_prepared(w, name, look, ready);
+    ix_mv_unref(w->b->ctx, ready);
+    return st;
+}
+
+enum { HALVINGS = 12 }; /* pieces of 1/4096 of the domain are the smallest */
+
+/* The pieces of m whose weights have one sign. */
+static ix_status put_finite(ix__x3d *w, const char *name,
+                            const ix__x3d_look *look, const ix_mv *m, int depth)
+{
+    int d = depth % ix_mv_ndirs(m);
+    double dom[2];
+    ix_mv *half[2];
+    ix_status st;
+
+    if (!ix_mv_has_poles(m))
+        return put_whole(w, name, look, m);
+    if (depth == HALVINGS)
+        return ix__x3d_check(w);
+    ix_mv_domain(m, d, dom);
+    IX_TRY(ix_mv_split(w->b->ctx, m, d, dom[0] + (dom[1] - dom[0]) / 2, half));
+    st = put_finite(w, name, look, half[0], depth + 1);
+    if (st == IX_OK)
+        st = put_finite(w, name, look, half[1], depth + 1);
+    ix_mv_unref(w->b->ctx, half[0]);
+    ix_mv_unref(w->b->ctx, half[1]);
+    return st;
+}
+
+/* Power bases have no control points whose weights would tell. */
+static ix_status put_pieces(ix__x3d *w, const char *name,
+                            const ix__x3d_look *look, const ix_mv *m)
+{
+    ix_mv *plain;
+    ix_status st;
+
+    IX_TRY(ix__mv_no_power(w->b->ctx, m, &plain));
+    if (ix_mv_has_poles(plain))
+        ix__note(w->b->ctx,
+                 "warning: %.60s is in the X3D file in pieces, without what is "
+                 "near points at infinity",
+                 name ? name : "an object");
+    st = put_finite(w, name, look, plain, 0);
+    ix_mv_unref(w->b->ctx, plain);
+    return st;
+}
+
+/* The six faces. */
+static ix_status put_trivar(ix__x3d *w, const char *name,
+                            const ix__x3d_look *look, const ix_mv *m)
+{
+    for (int i = 0; i < 6; i++) {
+        double dom[2];
+        ix_mv *face;
+        ix_status st;
+
+        ix_mv_domain(m, i / 2, dom);
+        IX_TRY(ix_mv_fix(w->b->ctx, m, i / 2, dom[i % 2], &face));
+        st = put_pieces(w, name, look, face);
+        ix_mv_unref(w->b->ctx, face);
+        IX_TRY(st);
+    }
+    return IX_OK;
+}
+
+ix_status ix__x3d_mv(ix__x3d *w, const char *name, const ix__x3d_look *look,
+                     const ix_mv *m)
+{
+    if (ix_mv_ndirs(m) < 3)
+        return put_pieces(w, name, look, m);
+    if (ix_mv_ndirs(m) == 3)
+        return put_trivar(w, name, look, m);
+    ix__note(w->b->ctx,
+             "warning: %.60s is not in the X3D file: it has %d parameters",
+             name ? name : "an object", ix_mv_ndirs(m));
+    return IX_OK;
+}
+
+/* --- trimmed surfaces ------------------------------------------------- */
+
+/* The curves of all loops: prepared, references; loop i has size[i] of them. */
+typedef struct {
+    int nloops, ncurves;
+    int *size;
+    ix_mv **curve;
+} contours;
+
+enum { SAMPLES = 16 }; /* of a curve, to tell which way a loop turns */
+
+/* Points of a loop in the parameter plane: double[2][n]. */
+static ix_status sample(ix_ctx *ctx, int n, ix_mv *const *curve, double *uv)
+{
+    size_t all = (size_t)n * SAMPLES;
+    double t[SAMPLES], pts[2 * SAMPLES], dom[2];
+
+    for (int i = 0; i < n; i++) {
+        ix_mv_domain(curve[i], 0, dom);
+        for (int k = 0; k < SAMPLES; k++)
+            t[k] = dom[0] + (dom[1] - dom[0]) * k / SAMPLES;
+        IX_TRY(ix_mv_point_many(ctx, curve[i], SAMPLES, t, pts));
+        memcpy(uv + i * SAMPLES, pts, sizeof t);
+        memcpy(uv + all + (size_t)i * SAMPLES, pts + SAMPLES, sizeof t);
+    }
+    return IX_OK;
+}
+
+static double area(size_t n, const double *uv)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        size_t k = (i + 1) % n;
+
+        sum += (uv[i] - uv[0]) * (uv[n + k] - uv[n]) -
+               (uv[k] - uv[0]) * (uv[n + i] - uv[n]);
+    }
+    return sum / 2;
+}
+
+static bool is_inside(const double p[2], size_t n, const double *uv)
+{
+    bool in = false;
+
+    for (size_t i = 0; i < n; i++) {
+        size_t k = (i + 1) % n;
+        double u0 = uv[i], v0 = uv[n + i], u1 = uv[k], v1 = uv[n + k];
+
+        if ((v0 > p[1]) != (v1 > p[1]) &&
+            p[0] < u0 + (u1 - u0) * (p[1] - v0) / (v1 - v0))
+            in = !in;
+    }
+    return in;
+}
+
+static ix_status reverse_loop(ix_ctx *ctx, int n, ix_mv **curve)
+{
+    for (int i = 0; i < n; i++) {
+        ix_mv *back;
+
+        IX_TRY(ix_mv_reverse(ctx, curve[i], 0, &back));
+        ix_mv_unref(ctx, curve[i]);
+        curve[i] = back;
+    }
+    for (int i = 0; i < n / 2; i++) {
+        ix_mv *c = curve[i];
+
+        curve[i] = curve[n - 1 - i];
+        curve[n - 1 - i] = c;
+    }
+    return IX_OK;
+}
+
+/* Outer loops run counter-clockwise, those inside an odd number of others
+ * clockwise. */
+static ix_status orient(ix_ctx *ctx, contours *c)
+{
+    double **uv;
+    int first = 0;
+
+    IX_SCRATCH(ctx, uv, c->nloops);
+    for (int i = 0; i < c->nloops; first += c->size[i++]) {
+        IX_SCRATCH(ctx, uv[i], (size_t)c->size[i] * SAMPLES * 2);
+        IX_TRY(sample(ctx, c->size[i], c->curve + first, uv[i]));
+    }
+    first = 0;
+    for (int i = 0; i < c->nloops; first += c->size[i++]) {
+        size_t n = (size_t)c->size[i] * SAMPLES;
+        double p[2] = {uv[i][0], uv[i][n]};
+        bool hole = false;
+
+        for (int k = 0; k < c->nloops; k++)
+            if (k != i && is_inside(p, (size_t)c->size[k] * SAMPLES, uv[k]))
+                hole = !hole;
+        if ((area(n, uv[i]) < 0) != hole)
+            IX_TRY(reverse_loop(ctx, c->size[i], c->curve + first));
+    }
+    return IX_OK;
+}
+
+static void put_contour(ix__x3d *w, int n, ix_mv *const *curve)
+{
+    ix__x3d_line(w, "<Contour2D containerField=\"trimmingContour\">");
+    w->depth++;
+    for (int i = 0; i < n; i++) {
+        const ix_mv *m = curve[i];
+
+        ix__x3d_indent(w);
+        ix__buf_printf(w->b,
+                       "<NurbsCurve2D containerField=\"children\" "
+                       "order=\"%d\" tessellation=\"%d\"",
+                       ix_mv_order(m, 0), steps(m, 0));
+        put_knots(w, "knot", m, 0);
+        put_weights(w, m);
+        ix__x3d_rows(w, "controlPoint", ix_mv_npts(m), 2, ix_mv_coord(m, 0),
+                     ix_mv_npts(m));
+        ix__buf_puts(w->b, "/>\n");
+    }
+    w->depth--;
+    ix__x3d_line(w, "</Contour2D>");
+}
+
+static ix_status put_trimmed(ix__x3d *w, const char *name,
+                             const ix__x3d_look *look, const ix_mv *m,
+                             contours *c)
+{
+    ix_mv *const *curve = c->curve;
+
+    IX_TRY(orient(w->b->ctx, c));
+    IX_TRY(ix__x3d_shape(w, name, look, false));
+    open_surface(w, "NurbsTrimmedSurface", m);
+    w->depth++;
+    for (int i = 0; i < c->nloops; curve += c->size[i++])
+        put_contour(w, c->size[i], curve);
+    w->depth--;
+    ix__x3d_line(w, "</NurbsTrimmedSurface>");
+    ix__x3d_end_shape(w);
+    return ix__x3d_check(w);
+}
+
+static bool has_poles(const ix__x3d *w, const char *name, const ix_mv *m)
+{
+    if (!ix_mv_has_poles(m))
+        return false;
+    ix__note(w->b->ctx,
+             "warning: %.60s is not in the X3D file: its weights are zero or "
+             "of both signs",
+             name ? name : "an object");
+    return true;
+}
+
+/* Takes the curves of c. */
+static ix_status put_and_drop(ix__x3d *w, const char *name,
+                              const ix__x3d_look *look, const ix_mv *srf,
+                              contours *c, ix_status st)
+{
+    ix_ctx *ctx = w->b->ctx;
+    ix_mv *ready = NULL;
+
+    if (st == IX_OK)
+        st = prepare(ctx, srf, 3, &ready);
+    if (st == IX_OK)
+        st = put_trimmed(w, name, look, ready, c);
+    ix_mv_unref(ctx, ready);
+    for (int i = 0; i < c->ncurves; i++)
+        ix_mv_unref(ctx, c->curve[i]);
+    return st;
+}
+
+static ix_status add_curve(ix_ctx *ctx, contours *c, const ix_mv *uv,
+                           bool backwards)
+{
+    ix_mv **at = &c->curve[c->ncurves];
+
+    if (ix_mv_has_poles(uv))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "a trimming curve has weights of both signs");
+    IX_TRY(prepare(ctx, uv, 2, at));
+    c->ncurves++;
+    return backwards ? reverse_loop(ctx, 1, at) : IX_OK;
+}
+
+static ix_status make_room(ix_ctx *ctx, contours *c, int nloops, int ncurves)
+{
+    c->nloops = nloops;
+    IX_SCRATCH(ctx, c->size, nloops);
+    IX_SCRATCH(ctx, c->curve, ncurves);
+    return IX_OK;
+}
+
+static ix_status add_trims(ix_ctx *ctx, contours *c, const ix_trimsrf *t)
+{
+    int n = 0;
+
+    for (int i = 0; i < t->nloops; i++)
+        n += t->loop[i].n;
+    IX_TRY(make_room(ctx, c, t->nloops, n));
+    for (int i = 0; i < t->nloops; i++) {
+        c->size[i] = t->loop[i].n;
+        for (int k = 0; k < t->loop[i].n; k++)
+            IX_TRY(add_curve(ctx, c, t->loop[i].seg[k].uv, false));
+    }
+    return IX_OK;
+}
+
+ix_status ix__x3d_trimsrf(ix__x3d *w, const char *name,
+                          const ix__x3d_look *look, const ix_trimsrf *t)
+{
+    ix_mark mk = ix__scratch_mark(w->b->ctx);
+    contours c = {0};
+    ix_status st = IX_OK;
+
+    if (!has_poles(w, name, t->srf))
+        st = put_and_drop(w, name, look, t->srf, &c,
+                          add_trims(w->b->ctx, &c, t));
+    ix__scratch_release(w->b->ctx, mk);
+    return st;
+}
+
+/* --- models ----------------------------------------------------------- */
+
+/* The curve of edge e (from 1 on; negative: reversed) on face f. A seam has
+ * both curves there: the second one is for the way back. */
+static const ix_mv *curve_on(const ix_model *m, int e, int f)
+{
+    const ix_model_seg *s = &m->seg[(e < 0 ? -e : e) - 1];
+
+    if (s->s1 == f && s->s2 == f)
+        return e < 0 && s->uv2 ? s->uv2 : s->uv1;
+    return s->s1 == f ? s->uv1 : s->s2 == f ? s->uv2 : NULL;
+}
+
+static ix_status add_face(ix_ctx *ctx, contours *c, const ix_model *m, int f)
+{
+    const ix_model_srf *s = &m->srf[f - 1];
+    int n = 0;
+
+    for (int i = 0; i < s->nloops; i++)
+        n += s->nseg[i];
+    IX_TRY(make_room(ctx, c, 0, n));
+    IX_SCRATCH(ctx, c->size, s->nloops);
+    for (int i = 0; i < s->nloops; i++) {
+        int before = c->ncurves;
+
+        for (int k = 0; k < s->nseg[i]; k++) {
+            const ix_mv *uv = curve_on(m, s->seg[i][k], f);
+
+            if (uv)
+                IX_TRY(add_curve(ctx, c, uv, s->seg[i][k] < 0));
+        }
+        if (c->ncurves > before)
+            c->size[c->nloops++] = c->ncurves - before;
+    }
+    return IX_OK;
+}
+
+ix_status ix__x3d_model(ix__x3d *w, const char *name, const ix__x3d_look *look,
+                        const ix_model *m)
+{
+    for (int i = 0; i < m->nsrf; i++) {
+        ix_mark mk = ix__scratch_mark(w->b->ctx);
+        contours c = {0};
+        ix_status st = IX_OK;
+
+        if (!has_poles(w, name, m->srf[i].srf))
+            st = put_and_drop(w, name, look, m->srf[i].srf, &c,
+                              add_face(w->b->ctx, &c, m, i + 1));
+        ix__scratch_release(w->b->ctx, mk);
+        IX_TRY(st);
+    }
+    return IX_OK;
+}
