@@ -336,15 +336,57 @@ static void memory_may_fail(void **state)
         assert_true(ix_fault_run(&c) > 0);
 }
 
+/* The operations of other shapes: with a vector, of one operand, of three. */
+static ix_status run_dot_vector(ix_ctx *ctx, void *state)
+{
+    const double v[3] = {1, -2, 0.5};
+    operands *o = state;
+
+    return ix_sym_dot_vector(ctx, o->a, v, &o->out);
+}
+
+static ix_status run_invert(ix_ctx *ctx, void *state)
+{
+    operands *o = state;
+
+    return ix_sym_invert(ctx, o->b, &o->out); /* DIV makes b a scalar */
+}
+
+static ix_status run_triple(ix_ctx *ctx, void *state)
+{
+    operands *o = state;
+
+    return ix_sym_triple(ctx, o->a, o->b, o->a, NULL, &o->out);
+}
+
+static void memory_may_fail_elsewhere(void **state)
+{
+    operands o = {.f = ADD};
+    ix_fault_case c = {make, run_dot_vector, release, &o};
+
+    (void)state;
+    assert_true(ix_fault_run(&c) > 0);
+    c.run = run_triple;
+    assert_true(ix_fault_run(&c) > 0);
+    o.f = DIV;
+    c.run = run_invert;
+    assert_true(ix_fault_run(&c) > 0);
+}
+
 #define TEST(f) cmocka_unit_test_setup_teardown(f, world_open, world_close)
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        TEST(values_follow),           TEST(degree_and_continuity),
-        TEST(sums_keep_what_they_can), TEST(errors_are_told),
-        TEST(point_by_point),          TEST(high_degrees),
-        TEST(threads_change_no_bit),   cmocka_unit_test(memory_may_fail),
+        TEST(values_follow),
+        TEST(degree_and_continuity),
+        TEST(sums_keep_what_they_can),
+        TEST(errors_are_told),
+        TEST(point_by_point),
+        TEST(high_degrees),
+        TEST(threads_change_no_bit),
+        cmocka_unit_test(memory_may_fail),
+        cmocka_unit_test(memory_may_fail_elsewhere),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
