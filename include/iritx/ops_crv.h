@@ -21,8 +21,7 @@
 extern "C" {
 #endif
 
-/* --- scalar fields ----------------------------------------------------------
- */
+/* --- scalar fields ------------------------------------------------------ */
 
 typedef enum {
     IX_CRV_INFLECTION,    /* det(x', x'') of the first two coordinates */
@@ -70,8 +69,7 @@ ix_status ix_crv_field(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
 ix_status ix_crv_graph(ix_ctx *ctx, const ix_mv *f, bool nodes,
                        ix_mv **out) IX_MUST_CHECK;
 
-/* --- special points ---------------------------------------------------------
- */
+/* --- special points ----------------------------------------------------- */
 
 typedef enum {
     IX_CRV_FLAT,      /* the curvature is zero (in the plane: an inflection if
@@ -112,8 +110,7 @@ void ix_crv_features_free(ix_ctx *ctx, ix_crv_feature *f, int n);
 ix_status ix_crv_curvature(ix_ctx *ctx, const ix_mv *crv, double t,
                            double *out) IX_MUST_CHECK;
 
-/* --- curves ------------------------------------------------------------------
- */
+/* --- curves ------------------------------------------------------------- */
 
 /* The vector of curvature, kappa N = (x' x x'') x x' / |x'|^4.
  *
@@ -146,6 +143,62 @@ ix_status ix_evolute(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
  * none if all is straight. */
 ix_status ix_evolute_pieces(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                             ix_crvs *out) IX_MUST_CHECK;
+
+/* The focal curve: the centres of the osculating spheres, those that meet the
+ * curve in four coinciding points.
+ *
+ *   (w^3 T p - (w (V'Q - 3/2 V Q') + 3 w'Q V)) / (w^4 T): 4d-7 / 8d-12
+ *
+ * T the torsion field, V, Q as for ix_evolute. It is rational:
+ * docs/ops/focal.md has the proof (Chen, Riesenfeld & Cohen 2005 doubt it).
+ *
+ * Out   *out   rational, 3 coordinates; where the torsion is zero it passes
+ *              through infinity (ix_roots of axis 0 lists these poles)
+ *       rep    residual: the equations of contact, relative
+ * Err   IX_EDOMAIN  the torsion vanishes on a span (the message names it): a
+ *                   planar piece has no sphere of that contact, or all.
+ *                   IX_FORM_IRIT: as minimal */
+ix_status ix_focal_crv(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
+                       ix_report *rep, ix_mv **out) IX_MUST_CHECK;
+
+/* --- ruled surfaces ----------------------------------------------------- */
+
+typedef enum {
+    IX_RULED_TANGENT,    /* tangent developable */
+    IX_RULED_NORMAL,     /* normal scroll */
+    IX_RULED_BINORMAL,   /* binormal scroll */
+    IX_RULED_RECTIFYING, /* rectifying developable */
+    IX_RULED_POLAR       /* polar developable, or focal surface */
+} ix_ruled_kind;
+
+/* The ruled surface x(t) + r b(t), direction 0 over the curve's domain,
+ * direction 1 over [0, 1] with r = range[0] + v (range[1] - range[0]). Ruling
+ * b(t) and degree in t of the minimal form:
+ *
+ *   TANGENT     w x'                                    d / max(d, 2d-2)
+ *   NORMAL      w^4 (x' x x'') x x'           max(d, 3d-5) / max(d, 5d-8)
+ *   BINORMAL    w^2 x' x x''                  max(d, 2d-4) / max(d, 3d-6)
+ *   RECTIFYING  w^9 (det(x', x'', x''') |x'|^2 x' + |x' x x''|^2 x' x x'')
+ *                                           max(d, 6d-12) / max(d, 10d-18)
+ *   POLAR       the axis of the circle of curvature, between the planes at the
+ *               distances range[0] and range[1] from one through the middle of
+ *               the control points' box, whose normal is the mean direction of
+ *               the binormals, or that binormal which is farthest from a right
+ *               angle to all others: 3d-3 / 6d-6
+ *
+ * (w = 1 for polynomial curves.) The other degree forms have the same rulings
+ * with the scale of their formulas: published w x', w^5 .., w^3 .., the Darboux
+ * vector times |x'|; naive the bare derivatives; both have POLAR as the centre
+ * of curvature plus r x' x x''.
+ *
+ * Out   *out   rational surface, 3 coordinates
+ *       rep    residual: directions and positions of nine rulings, relative
+ * Err   IX_EARG    range not finite, or empty
+ *       IX_EDOMAIN a straight span (all but TANGENT), a span that is a point
+ * Src   Chen, Riesenfeld & Cohen 2005, section 4 */
+ix_status ix_crv_ruled(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
+                       const double range[2], const ix_op_opts *o,
+                       ix_report *rep, ix_mv **out) IX_MUST_CHECK;
 
 #ifdef __cplusplus
 }

@@ -17,8 +17,7 @@ static ix_op_opts op_opts(const ix_call *c)
                         .max_cont = s->bsp_prod_method == 0 ? 0 : INT_MAX};
 }
 
-/* --- fields and special points
- * ------------------------------------------------ */
+/* --- fields and special points ------------------------------------------- */
 
 static ix_status ret_graph(ix_call *c, ix_crv_field_kind kind)
 {
@@ -213,8 +212,7 @@ static ix_status ccrvtreval(ix_call *c)
     return ix__ret_num(c, k);
 }
 
-/* --- curves
- * ------------------------------------------------------------------- */
+/* --- curves -------------------------------------------------------------- */
 
 static ix_status cnrmlcrv(ix_call *c)
 {
@@ -286,8 +284,55 @@ static ix_status evolute(ix_call *c)
     return tell_poles(c, ix__obj_first_mv(c->result));
 }
 
-/* --- table
- * -------------------------------------------------------------------- */
+static ix_status focalcrv(ix_call *c)
+{
+    ix_op_opts o = op_opts(c);
+    ix_mv *out;
+
+    IX_TRY(ix_focal_crv(c->ctx, ix__arg_mv(c, 0), &o, NULL, &out));
+    IX_TRY(ix__ret_mv(c, 0, out));
+    return tell_poles(c, ix__obj_first_mv(c->result));
+}
+
+/* --- ruled surfaces ------------------------------------------------------- */
+
+static ix_status ret_ruled(ix_call *c, ix_ruled_kind kind)
+{
+    double range[2] = {ix__arg_num(c, 1), ix__arg_num(c, 2)};
+    bool scroll = kind == IX_RULED_NORMAL || kind == IX_RULED_BINORMAL;
+    ix_op_opts o = op_opts(c);
+    ix_mv *out;
+
+    IX_TRY(ix_crv_ruled(c->ctx, ix__arg_mv(c, 0), kind, range, &o, NULL, &out));
+    return ix__ret_geom(c, -1, out, scroll ? IX__GEOM_RULED : IX__GEOM_DEVELOP);
+}
+
+static ix_status tandevsrf(ix_call *c)
+{
+    return ret_ruled(c, IX_RULED_TANGENT);
+}
+
+static ix_status nrmlscroll(ix_call *c)
+{
+    return ret_ruled(c, IX_RULED_NORMAL);
+}
+
+static ix_status binrmlscroll(ix_call *c)
+{
+    return ret_ruled(c, IX_RULED_BINORMAL);
+}
+
+static ix_status rectdevsrf(ix_call *c)
+{
+    return ret_ruled(c, IX_RULED_RECTIFYING);
+}
+
+static ix_status focalsrf(ix_call *c)
+{
+    return ret_ruled(c, IX_RULED_POLAR);
+}
+
+/* --- table --------------------------------------------------------------- */
 
 #define CUBIC                                                       \
     "c = cbezier(list(ctlpt(E2, 0, 0), ctlpt(E2, 1, 3), ctlpt(E2, " \
@@ -321,4 +366,27 @@ const ix_builtin ix__builtins_ops_crv[] = {
      "are left out. It passes through infinity at the parameters that the "
      "attribute Poles lists.",
      CUBIC "e = evolute(c);", evolute, 0, 19},
+    {"FOCALCRV", "c:curve -> curve",
+     "The centres of the osculating spheres of a space curve, an exact "
+     "rational curve; at zero torsion (attribute Poles) it is at infinity.",
+     SPACE "f = focalcrv(c);", focalcrv, 0, 19},
+    {"FOCALSRF", "c:curve min:num max:num -> surface",
+     "The polar developable: the axes of the circles of curvature, between "
+     "two planes at the distances min and max from one through the middle of "
+     "the control points.",
+     SPACE "s = focalsrf(c, -1, 1);", focalsrf, 0, 19},
+    {"TANDEVSRF", "c:curve min:num max:num -> surface",
+     "The tangent developable, c + r c' (times the weight) with r from min to "
+     "max; direction 1 along the curve, 2 along the rulings.",
+     SPACE "s = tandevsrf(c, 0, 1);", tandevsrf, 0, 19},
+    {"NRMLSCROLL", "c:curve min:num max:num -> surface",
+     "The ruled surface of the principal normals, c + r (c' x c'') x c'.",
+     SPACE "s = nrmlscroll(c, 0, 0.01);", nrmlscroll, 0, 19},
+    {"BINRMLSCROLL", "c:curve min:num max:num -> surface",
+     "The ruled surface of the binormals, c + r c' x c''.",
+     SPACE "s = binrmlscroll(c, 0, 0.1);", binrmlscroll, 0, 19},
+    {"RECTDEVSRF", "c:curve min:num max:num -> surface",
+     "The rectifying developable, on which the curve is a geodesic: rulings "
+     "along the Darboux vector.",
+     SPACE "s = rectdevsrf(c, 0, 1e-6);", rectdevsrf, 0, 19},
     {0}};

@@ -40,6 +40,7 @@ enum {
     IX__GEOM_BOOL_SUM = 11,
     IX__GEOM_EXTRUSION = 12,
     IX__GEOM_RULED = 13,
+    IX__GEOM_DEVELOP = 14,
     IX__GEOM_SWEEP = 15
 };
 

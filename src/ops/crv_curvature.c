@@ -8,8 +8,7 @@
 #include "ops/ratio.h"
 #include "ops/report.h"
 
-/* --- at a parameter
- * ----------------------------------------------------------- */
+/* --- at a parameter ----------------------------------------------------- */
 
 static ix_status curvature_at(ix_ctx *ctx, const ix_mv *crv, double t,
                               double *out)
@@ -44,8 +43,7 @@ ix_status ix_crv_curvature(ix_ctx *ctx, const ix_mv *crv, double t, double *out)
     return st;
 }
 
-/* --- kappa N
- * ------------------------------------------------------------------ */
+/* --- kappa N ------------------------------------------------------------ */
 
 /* w^3 V x D / Q^2. */
 static ix_status minimal(ix_ctx *ctx, const ix_curve *c, ix_frac *out)

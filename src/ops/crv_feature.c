@@ -101,8 +101,7 @@ ix_status ix_crv_torsion_zeros(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
     return run_finder(ctx, torsion_zeros, crv, roots, n);
 }
 
-/* --- extrema of the curvature ------------------------------------------------
- */
+/* --- extrema of the curvature ------------------------------------------- */
 
 /* The curve, its curvature (signed in the plane, squared in space) and the
  * slope of that. */

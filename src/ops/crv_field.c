@@ -22,8 +22,7 @@ typedef struct {
 
 typedef ix_status (*build_fn)(ix_ctx *ctx, const ix_curve *c, field *out);
 
-/* --- inflections
- * -------------------------------------------------------------- */
+/* --- inflections -------------------------------------------------------- */
 
 static ix_status inflection_minimal(ix_ctx *ctx, const ix_curve *c, field *out)
 {
@@ -79,8 +78,7 @@ static ix_status inflection_naive(ix_ctx *ctx, const ix_curve *c, field *out)
     return ix__ratio_product(ctx, ix__form_det2, &d[0], &d[1], &out->f);
 }
 
-/* --- squared curvature
- * ---------------------------------------------------------- */
+/* --- squared curvature -------------------------------------------------- */
 
 /* |V|^2 w^6 / Q^3. */
 static ix_status square_minimal(ix_ctx *ctx, const ix_curve *c, field *out)
@@ -130,8 +128,7 @@ static ix_status square_naive(ix_ctx *ctx, const ix_curve *c, field *out)
     return ix__ratio_even(ctx, &out->f);
 }
 
-/* --- critical curvature
- * --------------------------------------------------------- */
+/* --- critical curvature ------------------------------------------------- */
 
 static ix_status critical_minimal(ix_ctx *ctx, const ix_curve *c, field *out)
 {
@@ -240,8 +237,7 @@ static ix_status critical_irit(ix_ctx *ctx, const ix_curve *c, field *out)
     return ix__ratio_derive(ctx, &n, &out->f);
 }
 
-/* --- torsion
- * ---------------------------------------------------------------------- */
+/* --- torsion ------------------------------------------------------------ */
 
 /* Nothing to compute in the plane: the torsion is zero. */
 static ix_status zero_field(ix_ctx *ctx, const ix_curve *c, field *out)
@@ -331,8 +327,7 @@ static ix_status torsion_naive(ix_ctx *ctx, const ix_curve *c, field *out)
     return ix__ratio_over(ctx, &t, &b, &out->f);
 }
 
-/* --- table and entry
- * ---------------------------------------------------------------- */
+/* --- table and entry ---------------------------------------------------- */
 
 /* Builders by degree form; IRIT has no torsion. */
 static const build_fn builders[5][4] = {
@@ -380,8 +375,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
                           ix__join_rule(o), out);
 }
 
-/* --- the report
- * ---------------------------------------------------------------------- */
+/* --- the report --------------------------------------------------------- */
 
 typedef struct {
     const ix_mv *field;

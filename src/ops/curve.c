@@ -8,7 +8,7 @@
 
 #include "bern/bern.h"
 
-/* --- extents -------------------------------------------------------------- */
+/* --- extents ------------------------------------------------------------ */
 
 ix_status ix__extents(ix_ctx *ctx, const ix_form *f, const double *error,
                       ix_extent **out)
@@ -71,8 +71,7 @@ static ix_status settle(ix_ctx *ctx, const ix_form *f, const ix_extent *terms,
     return IX_OK;
 }
 
-/* --- Wronskians -------------------------------------------------------------
- */
+/* --- Wronskians --------------------------------------------------------- */
 
 enum { MAX_ROWS = 4 };
 
@@ -154,8 +153,7 @@ static ix_status wronskian_extents(ix_ctx *ctx, const wronskian *w,
     return settle(ctx, f, terms, out);
 }
 
-/* --- D, V, T
- * ------------------------------------------------------------------ */
+/* --- D, V, T ------------------------------------------------------------ */
 
 /* Rounding of a coefficient in the frame: of the input, of the shift, of the
  * decomposition; of the derivative's coefficients if polynomial. */
@@ -261,8 +259,7 @@ ix_status ix__curve_torsion(ix_ctx *ctx, const ix_curve *c, ix_form *t,
     return wronskian_extents(ctx, &w, t, et);
 }
 
-/* --- slopes
- * ------------------------------------------------------------------- */
+/* --- slopes ------------------------------------------------------------- */
 
 /* A' B_V - A_V B' = b A'B - a A B' in degree a + b - 2. */
 static ix_status jacobian(ix_ctx *ctx, const ix_form *a, const ix_form *b,
@@ -316,8 +313,7 @@ ix_status ix__curve_slope(ix_ctx *ctx, const ix_curve *c, const ix_form *a,
     return ix__form_add(ctx, out, 1, &t, out);
 }
 
-/* --- loading
- * ------------------------------------------------------------------- */
+/* --- loading ------------------------------------------------------------ */
 
 /* On each span p - x0 w, x0 the projected middle control point of the span
  * (0 where its weight is). */

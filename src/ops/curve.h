@@ -60,7 +60,7 @@ ix_status ix__curve_torsion(ix_ctx *ctx, const ix_curve *c, ix_form *t,
 ix_status ix__curve_slope(ix_ctx *ctx, const ix_curve *c, const ix_form *a,
                           int power, ix_form *out) IX_MUST_CHECK;
 
-/* --- extents -------------------------------------------------------------- */
+/* --- extents ------------------------------------------------------------ */
 
 /* Of a form known to within error[nspans] (NULL: 0). */
 ix_status ix__extents(ix_ctx *ctx, const ix_form *f, const double *error,
@@ -72,8 +72,7 @@ ix_extent ix__extent_add(ix_extent a, ix_extent b);
 bool ix__extents_zero(const ix_form *f, const ix_extent *e);
 bool ix__extent_is_zero(ix_extent e);
 
-/* --- results ----------------------------------------------------------------
- */
+/* --- results ------------------------------------------------------------ */
 
 typedef struct {
     bool irit;    /* joins as IRIT makes them: C0 where values agree, else a

@@ -120,8 +120,7 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, bool irit, fraction *out)
     return IX_OK;
 }
 
-/* --- degenerate input
- * ----------------------------------------------------------- */
+/* --- degenerate input --------------------------------------------------- */
 
 static ix_status check_curved(ix_ctx *ctx, const ix_curve *c)
 {
@@ -156,8 +155,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
                            ix__join_rule(o), out);
 }
 
-/* --- the report
- * ------------------------------------------------------------------- */
+/* --- the report --------------------------------------------------------- */
 
 /* (E - x).x' = 0 relative to |E - x| |x'|, (E - x).x'' = |x'|^2 relative to
  * |E - x| |x''| (at least |x'|^2); poles, farther away than a million times
@@ -219,8 +217,7 @@ ix_status ix_evolute(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
     return st;
 }
 
-/* --- pieces
- * ---------------------------------------------------------------------- */
+/* --- pieces ------------------------------------------------------------- */
 
 /* The maximal runs of spans that are not straight: double[n][2]. */
 static ix_status curved_runs(ix_ctx *ctx, const ix_curve *c, int *n,
