@@ -24,6 +24,22 @@ ix_status ix_contour_field(ix_ctx *ctx, const ix_mv *m, const double plane[4],
 ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
                         double tol, ix_solution_curves *out) IX_MUST_CHECK;
 
+/* Where the normal makes the angle theta (radians) with the line along view,
+ * in either sense: <n, view>^2 = cos^2(theta) <n, n> <view, view>. */
+ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                      double theta, double tol,
+                      ix_solution_curves *out) IX_MUST_CHECK;
+/* What is seen as silhouette when the surface turns about the axis through the
+ * origin: <S x n, axis> = 0. */
+ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
+                              double tol,
+                              ix_solution_curves *out) IX_MUST_CHECK;
+/* Points of the implicit curve f(u, v) = 0 at which direction dir (0 or 1) is
+ * stationary along it: f = df/d(other direction) = 0. Solutions (u, v). Err
+ * IX_EARG f is not a scalar of two directions. */
+ix_status ix_implicit_extremes(ix_ctx *ctx, const ix_mv *f, int dir,
+                               ix_solutions *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

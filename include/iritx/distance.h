@@ -63,6 +63,66 @@ ix_status ix_srf_nearest(ix_ctx *ctx, const ix_mv *s, const double p[3],
 ix_status ix_srf_feet(ix_ctx *ctx, const ix_mv *s, const double p[3],
                       ix_solutions *out) IX_MUST_CHECK;
 
+/* The same for the line through p in direction dir. Err IX_EARG dir is 0. */
+ix_status ix_srf_line_feet(ix_ctx *ctx, const ix_mv *s, const double p[3],
+                           const double dir[3],
+                           ix_solutions *out) IX_MUST_CHECK;
+ix_status ix_srf_line_nearest(ix_ctx *ctx, const ix_mv *s, const double p[3],
+                              const double dir[3], bool farthest, double uv[2],
+                              double *distance) IX_MUST_CHECK;
+
+/* --- pairs of points of one curve ------------------------------------------
+ */
+
+/* Pairs t < r whose chord is normal to the curve at both ends: solutions
+ * (t, r). Self-intersections, whose chord has no direction, are left out. The
+ * factor t - r is divided out algebraically. Err IX_EARG not a Bezier or
+ * B-spline curve. */
+ix_status ix_crv_antipodal(ix_ctx *ctx, const ix_mv *c,
+                           ix_solutions *out) IX_MUST_CHECK;
+/* Pairs t < r with one tangent line in common, in the XY plane; (t - r)^2 is
+ * divided out, inflections (where both points fall together) are left out. */
+ix_status ix_crv_bitangents(ix_ctx *ctx, const ix_mv *c,
+                            ix_solutions *out) IX_MUST_CHECK;
+
+/* --- intersections in space ------------------------------------------------
+ */
+
+/* Curves (u1, v1, u2, v2) in which two surfaces meet; tol as in
+ * ix_curves_opts; freed with ix_solution_curves_free. Surfaces that coincide
+ * have no curves: what is open is reported as singular, complete is false. */
+ix_status ix_srf_srf_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                          double tol, ix_solution_curves *out) IX_MUST_CHECK;
+/* Points in which a curve meets a surface: solutions (t, u, v). */
+ix_status ix_crv_srf_meet(ix_ctx *ctx, const ix_mv *c, const ix_mv *s,
+                          ix_solutions *out) IX_MUST_CHECK;
+/* Points that three surfaces share: (u1, v1, u2, v2, u3, v3). */
+ix_status ix_srf3_meet(ix_ctx *ctx, const ix_mv *const s[3],
+                       ix_solutions *out) IX_MUST_CHECK;
+
+/* --- distances of two freeforms --------------------------------------------
+ */
+
+typedef struct {
+    double distance; /* of the points at a[] and b[]: attained */
+    double error;    /* the true value differs by no more than this */
+    double a[2], b[2];
+} ix_distance;
+
+/* The least distance of two curves or surfaces of at most 3 coordinates with
+ * positive weights (an order 1 curve is a point). Boxes are excluded by bounds
+ * along the direction between their middles, which close in quadratically.
+ *
+ * Err   IX_EARG     more directions or coordinates
+ *       IX_EUNABLE  a weight is not positive */
+ix_status ix_distance_least(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                            ix_distance *out) IX_MUST_CHECK;
+/* The largest distance of a point of a from b (one_sided), or the Hausdorff
+ * distance: the larger of both directions. Each bound is the distance of a
+ * box from the foot of its middle. Errors as above. */
+ix_status ix_distance_hausdorff(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                                bool one_sided, ix_distance *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -162,22 +162,42 @@ static ix_status ccinter(ix_call *c)
     return st;
 }
 
-static ix_status srfptdst(ix_call *c)
+/* From a point, or from a line if dir is given; argument minarg tells whether
+ * the nearest or the farthest is wanted. */
+static ix_status srf_distance(ix_call *c, const double *dir, int minarg)
 {
     const ix_mv *s = ix__arg_mv(c, 0);
+    bool farthest = !ix__arg_bool(c, minarg);
     double p[3], uv[3] = {0, 0, 0}, d;
     ix_solutions sol;
     ix_status st;
 
     IX_TRY(ix__arg_pt3(c, 1, p));
-    if (ix__arg_num(c, 3) >= 0) {
-        IX_TRY(ix_srf_nearest(c->ctx, s, p, !ix__arg_bool(c, 2), uv, &d));
+    if (ix__arg_num(c, minarg + 1) >= 0) {
+        st = dir ? ix_srf_line_nearest(c->ctx, s, p, dir, farthest, uv, &d)
+                 : ix_srf_nearest(c->ctx, s, p, farthest, uv, &d);
+        IX_TRY(st);
         return ix__ret(c, ix__obj_point(c->ctx, uv));
     }
-    IX_TRY(ix_srf_feet(c->ctx, s, p, &sol));
+    st = dir ? ix_srf_line_feet(c->ctx, s, p, dir, &sol)
+             : ix_srf_feet(c->ctx, s, p, &sol);
+    IX_TRY(st);
     st = ret_pairs(c, &sol);
     ix_solutions_free(c->ctx, &sol);
     return st;
+}
+
+static ix_status srfptdst(ix_call *c)
+{
+    return srf_distance(c, NULL, 2);
+}
+
+static ix_status srflndst(ix_call *c)
+{
+    double dir[3];
+
+    IX_TRY(ix__arg_vec3(c, 2, dir));
+    return srf_distance(c, dir, 3);
 }
 
 /* --- contours
@@ -296,6 +316,40 @@ static ix_status silhouette(ix_call *c)
     return st;
 }
 
+static ix_status isocline(ix_call *c)
+{
+    const ix_mv *m = ix__arg_mv(c, 0);
+    double view[3], degree = acos(-1) / 180;
+    ix_solution_curves s;
+    ix_status st;
+
+    IX_TRY(ix__arg_vec3(c, 1, view));
+    if (fabs(ix__arg_num(c, 4)) > 1e-5)
+        return IX_ARG_FAIL(c, 4,
+                           "mode %g: only the curves (mode 0) are available, "
+                           "not trimmed regions",
+                           ix__arg_num(c, 4));
+    IX_TRY(ix_isocline(c->ctx, m, view, ix__arg_num(c, 2) * degree,
+                       tolerance(c), &s));
+    st = ret_curves(c, &s, ix__arg_bool(c, 3) ? m : NULL);
+    ix_solution_curves_free(c->ctx, &s);
+    return st;
+}
+
+static ix_status polarsil(ix_call *c)
+{
+    const ix_mv *m = ix__arg_mv(c, 0);
+    ix_solution_curves s;
+    double axis[3];
+    ix_status st;
+
+    IX_TRY(ix__arg_vec3(c, 1, axis));
+    IX_TRY(ix_polar_silhouette(c->ctx, m, axis, tolerance(c), &s));
+    st = ret_curves(c, &s, ix__arg_bool(c, 2) ? m : NULL);
+    ix_solution_curves_free(c->ctx, &s);
+    return st;
+}
+
 #define C "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2), ctlpt(E2,3,0))); "
 #define S                                                               \
     "s = sbezier(list(list(point(0,0,0), point(1,0,1), point(2,0,0)), " \
@@ -330,6 +384,11 @@ const ix_builtin ix__builtins_distance[] = {
      "(farthest if min is off); with subdiv < 0 the list of all interior ones "
      "where the distance is stationary.",
      S "q = srfptdst(s, point(1, 1, 5), true, 0.1, 1e-6);", srfptdst, 0, 13},
+    {"SRFLNDST",
+     "s:surface p:pt3 d:pv min:bool subdiv:num numer:num -> point|list",
+     "As SRFPTDST, for the distance from the line through p in direction d.",
+     S "q = srflndst(s, point(1, 1, 5), vector(1, 0, 0), true, 0.1, 1e-6);",
+     srflndst, 0, 13},
     {"CONTOUR",
      "x:curve|surface pl:plane [mapped:surface] [cone:list] -> poly|list",
      "Where the plane cuts x, as polylines: (u, v, 0) of a scalar surface "
@@ -340,4 +399,12 @@ const ix_builtin ix__builtins_distance[] = {
      "Where the normal of a surface is perpendicular to view, as polylines on "
      "the surface or, with euclid off, in its parameters.",
      S "o = silhouette(s, vector(1, 1, 0), true);", silhouette, 0, 13},
+    {"ISOCLINE", "s:surface dir:pv theta:num euclid:bool mode:num -> poly",
+     "Where the normal of a surface makes the angle theta (degrees) with dir, "
+     "as SILHOUETTE; mode 0: the curves.",
+     S "o = isocline(s, vector(0, 0, 1), 30, true, 0);", isocline, 0, 13},
+    {"POLARSIL", "s:surface axis:pv euclid:bool -> poly",
+     "Where (S x normal) is perpendicular to axis: the silhouette that the "
+     "surface makes when it turns about the axis through the origin.",
+     S "o = polarsil(s, vector(0, 0, 1), true);", polarsil, 0, 13},
     {0}};

@@ -30,6 +30,7 @@ extern const ix_builtin ix__builtins_ops[];
 extern const ix_builtin ix__builtins_ops_crv[];
 extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_distance[];
+extern const ix_builtin ix__builtins_meet[];
 extern const ix_builtin ix__builtins_solve[];
 extern const ix_builtin ix__builtins_startup[];
 
@@ -72,6 +73,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_ops_crv,
     ix__builtins_poly,
     ix__builtins_distance,
+    ix__builtins_meet,
     ix__builtins_solve,
     ix__builtins_startup,
 };
