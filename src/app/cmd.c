@@ -4,8 +4,8 @@
 #include <string.h>
 
 static const command commands[] = {
-    {"convert", "IN OUT", "reads one file and writes another; suffixes decide",
-     cmd_convert},
+    {"convert", "[--tol X] IN OUT",
+     "reads one file and writes another; suffixes decide", cmd_convert},
     {"draw", "FILE... -o PICTURE",
      "a picture (.svg .png .pdf): --net --knots --shade --fit --no-axes, "
      "--view V, --size WxH",

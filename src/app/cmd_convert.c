@@ -1,12 +1,29 @@
-/* cmd_convert.c - iritx convert IN OUT: one file format into another. */
+/* cmd_convert.c - iritx convert [--tol X] IN OUT: one file format into
+ * another. */
+#include <string.h>
+
 #include "app/cmd.h"
+
+/* "--tol X": a positive number. */
+static bool read_tol(const char *s, double *tol)
+{
+    const char *end = s + strlen(s);
+
+    return ix_num_parse(s, end, tol) == end && *tol > 0;
+}
 
 int cmd_convert(ix_ctx *ctx, int argc, char **argv)
 {
-    const ix_write_opts exact = {.file = true};
+    ix_write_opts exact = {.file = true};
     ix_obj *o;
     ix_status st;
 
+    if (argc > 1 && strcmp(argv[0], "--tol") == 0) {
+        if (!read_tol(argv[1], &exact.tol))
+            return cmd_wrong_usage("convert");
+        argc -= 2;
+        argv += 2;
+    }
     if (argc != 2)
         return cmd_wrong_usage("convert");
     st = ix__load(ctx, argv[0], NULL, &o);

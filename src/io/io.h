@@ -19,6 +19,8 @@ typedef struct {
                     for ix__itd_tiny(float_format) */
     bool file;   /* true: the text can be read back (strings are escaped, NaN
                     and infinity refused); false: a dump for the eye */
+    double tol;  /* of formats that hold polygons: the largest distance from
+                    the true shape; 0: 1/1000 of its size */
 } ix_write_opts;
 
 /* Where reading stopped with an error, for messages of a caller. */

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "io/export.h"
 #include "io/io.h"
 
 typedef ix_status (*read_fn)(ix_ctx *ctx, const char *fname, const char *text,
@@ -46,8 +47,8 @@ static const struct format {
     {"icd", NULL, NULL},
     {"igs", NULL, NULL},
     {"iges", NULL, NULL},
-    {"stl", NULL, NULL},
-    {"bstl", NULL, NULL},
+    {"stl", NULL, ix__stl_write},
+    {"bstl", NULL, ix__bstl_write},
     {"obj", NULL, NULL},
     {"wrl", NULL, NULL},
     {"vrl", NULL, NULL},

@@ -1,17 +1,27 @@
 /* builtins_output.c - files, printing and what takes the place of displays
  * (chapter 4). Nothing is displayed: what a script shows is collected, for
  * programs that render it afterwards. */
+#include <math.h>
 #include <string.h>
 
 #include "lang/clients.h"
 #include "lang/deep_copy.h"
 #include "lang/interp.h"
 
+/* For formats that hold polygons (docs/exports.md). */
+static double save_tol(ix_interp *in)
+{
+    if (ix__var_num(in, "POLY_APPROX_OPT", 0) == 0)
+        return 0;
+    return fmax(ix__var_num(in, "POLY_APPROX_TOL", 0), 0);
+}
+
 static ix_status b_save(ix_call *c)
 {
     const ix_states *s = ix__states(c->in);
     const ix_write_opts w = {
-        .float_format = s->float_format_set ? s->float_format : NULL};
+        .float_format = s->float_format_set ? s->float_format : NULL,
+        .tol = save_tol(c->in)};
     const char *name = ix__arg_str(c, 0);
 
     IX_TRY(ix__path_check(c->in, name, true));

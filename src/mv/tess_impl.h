@@ -1,0 +1,68 @@
+/* tess_impl.h - the parts of the tessellator: bounds on one box, and the grid
+ * of parameters of a whole curve or surface. Everything is in scratch. */
+#ifndef MV_TESS_IMPL_H
+#define MV_TESS_IMPL_H
+
+#include "mv/bernstein.h"
+#include "mv/tessellate.h"
+
+/* A box of a curve or surface in Bezier form: double[naxes][o[1]][o[0]], the
+ * weight first if rational. */
+typedef struct {
+    int o[2], naxes, ncoords; /* ncoords <= 3 are used */
+    bool rational;
+    double *net;
+    double *work; /* if rational: room for ix__tess_work(box) */
+} ix__tess_box;
+size_t ix__tess_work(const ix__tess_box *b);
+
+/* Largest second derivatives, the box taken as [0, 1]^2, and first ones. */
+typedef struct {
+    double uu, uv, vv, u, v;
+} ix__tess_bound;
+
+typedef enum { IX__TESS_KEEP, IX__TESS_POLE } ix__tess_sign;
+/* Is the weight of one sign on the box, and |weight| >= least? */
+ix__tess_sign ix__tess_weights(const ix__tess_box *b, double least);
+/* For boxes whose weight has one sign. */
+ix__tess_bound ix__tess_bounds(const ix__tess_box *b);
+/* Steps hu, hv of the box's parameters, the box being [0, 1]^2, keep the error
+ * below tol if e[0] hu^2 + e[1] hv^2 <= 8 tol. */
+void ix__tess_needs(const ix__tess_bound *b, double e[2]);
+
+/* One direction: interval k stands between the samples k and k + 1; joined[k]
+ * is false where the curve or surface jumps between them. */
+typedef struct {
+    int nsamples;
+    double *t;
+    bool *joined; /* [nsamples - 1] */
+    int *owner;   /* [nsamples - 1]: the piece of interval k */
+    int nspans;
+    int *first, *last; /* [nspans]: samples of a span, both included */
+    double *basis;     /* [nspans + nsamples][order]: Bernstein values; those
+                          of span s begin at first[s] + s */
+} ix__tess_dir;
+
+/* The samples of a curve (second direction: one sample) or surface, their
+ * points and the cells between them. */
+typedef struct {
+    ix__tess_dir d[2];
+    size_t nverts;       /* d[0].nsamples * d[1].nsamples, d[0] fastest */
+    double *xyz;         /* double[nverts][3]; not finite at poles */
+    unsigned char *cell; /* [max(n1 - 1, 1)][n0 - 1]: 1: keep */
+    size_t nleft;        /* cells at poles */
+    double slope[2];     /* largest first derivatives of the kept boxes, by
+                            the surface's own parameters */
+} ix__tess_grid;
+
+/* Err as ix__mesh_of_srf. */
+ix_status ix__tess_grid_of(ix_ctx *ctx, const ix_mv *m, double tol,
+                           ix__tess_grid *out) IX_MUST_CHECK;
+
+/* The vertices that triangles use, and these, as a result. */
+ix_status ix__mesh_pack(ix_ctx *ctx, size_t nverts, const double *xyz,
+                        const double *uv, size_t ntris,
+                        const uint32_t (*tri)[3], ix__mesh *out) IX_MUST_CHECK;
+void ix__tess_note(ix_ctx *ctx, size_t nleft);
+
+#endif
