@@ -58,7 +58,8 @@ ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
  * number is not finite; IX_ENOMEM. On failure b holds part of the text. */
 ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
 /* Against docs/iritx.rng, which states the grammar, not counts and values.
- * Err IX_EPARSE (message "fname:line:col: error: ..."), IX_ENOMEM. */
+ * Err IX_EPARSE (message "fname:line:col: error: ..."), IX_EUNABLE more than
+ * 30000 elements side by side, IX_ENOMEM. */
 ix_status ix__xml_validate(ix_ctx *ctx, const char *fname, const char *text,
                            size_t n) IX_MUST_CHECK;
 

@@ -435,6 +435,24 @@ static void test_invalid(void **state)
     ix_ctx_free(ctx);
 }
 
+/* The check of the schema would take too long: that is no error of the file. */
+static void test_too_many(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    char *text = malloc(30001 * 9 + 200), *p = text;
+
+    (void)state;
+    assert_non_null(text);
+    p += sprintf(p, ROOT);
+    for (int i = 0; i < 30001; i++)
+        p += sprintf(p, "<object/>");
+    (void)sprintf(p, END);
+    assert_int_equal(ix__xml_validate(ctx, "f", text, strlen(text)),
+                     IX_EUNABLE);
+    free(text);
+    ix_ctx_free(ctx);
+}
+
 /* --- right, if unusual --------------------------------------------------- */
 
 static void test_unusual(void **state)
@@ -475,7 +493,8 @@ int main(void)
         cmocka_unit_test(test_documents),    cmocka_unit_test(test_limits),
         cmocka_unit_test(test_depth),        cmocka_unit_test(test_far_place),
         cmocka_unit_test(test_write_errors), cmocka_unit_test(test_valid),
-        cmocka_unit_test(test_invalid),      cmocka_unit_test(test_unusual)};
+        cmocka_unit_test(test_invalid),      cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_unusual)};
 
     xmlSetExternalEntityLoader(no_loader);
     return cmocka_run_group_tests(tests, NULL, NULL);
