@@ -4,6 +4,7 @@
 #ifndef LANG_ARGS_FREEFORM_H
 #define LANG_ARGS_FREEFORM_H
 
+#include "iritx/solve.h"
 #include "lang/builtin.h"
 #include "lang/codes.h"
 
@@ -61,6 +62,12 @@ ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational,
 /* The trimming curves as a list, in the parameter plane or on the surface. */
 ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t,
                               bool param) IX_MUST_CHECK;
+/* Solution curves over two parameters as polylines in the parameter plane (m
+ * NULL) or on m; no value if there is none. */
+ix_status ix__ret_contours(ix_call *c, const ix_solution_curves *s,
+                           const ix_mv *m) IX_MUST_CHECK;
+/* Their tolerance, from the variable RESOLUTION. */
+double ix__contour_tolerance(const ix_call *c);
 ix_status ix__ret_vector(ix_call *c, const double v[3]) IX_MUST_CHECK;
 
 #endif

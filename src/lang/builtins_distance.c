@@ -204,7 +204,7 @@ static ix_status srflndst(ix_call *c)
  * ------------------------------------------------------------------------ */
 
 /* Resolution samples for a turn of the curve: half a step's sag. */
-static double tolerance(const ix_call *c)
+double ix__contour_tolerance(const ix_call *c)
 {
     double n = fmax(ix__var_num(c->in, "RESOLUTION", 20), 2);
 
@@ -228,8 +228,8 @@ static ix_status put_vertex(ix_call *c, const ix_mv *m, const double *uv,
 }
 
 /* Polylines in the parameter plane or on m; no value if there is no curve. */
-static ix_status ret_curves(ix_call *c, const ix_solution_curves *s,
-                            const ix_mv *m)
+ix_status ix__ret_contours(ix_call *c, const ix_solution_curves *s,
+                           const ix_mv *m)
 {
     ix_status st = IX_OK;
     ix_poly *p;
@@ -296,8 +296,8 @@ static ix_status contour(ix_call *c)
                            "a freeform of %d directions; a surface is "
                            "wanted",
                            on->ndirs);
-    IX_TRY(ix_contour(c->ctx, m, plane, tolerance(c), &s));
-    st = ret_curves(c, &s, on);
+    IX_TRY(ix_contour(c->ctx, m, plane, ix__contour_tolerance(c), &s));
+    st = ix__ret_contours(c, &s, on);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }
@@ -310,8 +310,8 @@ static ix_status silhouette(ix_call *c)
     ix_status st;
 
     IX_TRY(ix__arg_vec3(c, 1, view));
-    IX_TRY(ix_silhouette(c->ctx, m, view, tolerance(c), &s));
-    st = ret_curves(c, &s, ix__arg_bool(c, 2) ? m : NULL);
+    IX_TRY(ix_silhouette(c->ctx, m, view, ix__contour_tolerance(c), &s));
+    st = ix__ret_contours(c, &s, ix__arg_bool(c, 2) ? m : NULL);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }
@@ -330,8 +330,8 @@ static ix_status isocline(ix_call *c)
                            "not trimmed regions",
                            ix__arg_num(c, 4));
     IX_TRY(ix_isocline(c->ctx, m, view, ix__arg_num(c, 2) * degree,
-                       tolerance(c), &s));
-    st = ret_curves(c, &s, ix__arg_bool(c, 3) ? m : NULL);
+                       ix__contour_tolerance(c), &s));
+    st = ix__ret_contours(c, &s, ix__arg_bool(c, 3) ? m : NULL);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }
@@ -344,8 +344,8 @@ static ix_status polarsil(ix_call *c)
     ix_status st;
 
     IX_TRY(ix__arg_vec3(c, 1, axis));
-    IX_TRY(ix_polar_silhouette(c->ctx, m, axis, tolerance(c), &s));
-    st = ret_curves(c, &s, ix__arg_bool(c, 2) ? m : NULL);
+    IX_TRY(ix_polar_silhouette(c->ctx, m, axis, ix__contour_tolerance(c), &s));
+    st = ix__ret_contours(c, &s, ix__arg_bool(c, 2) ? m : NULL);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "iritx/ops_crv.h"
+#include "iritx/ops_srf.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
@@ -261,6 +262,15 @@ static ix_status tell_poles(ix_call *c, const ix_mv *m)
     return st;
 }
 
+/* The mean evolute. */
+static ix_status surface_evolute(ix_call *c, const ix_op_opts *o)
+{
+    ix_mv *out;
+
+    IX_TRY(ix_srf_evolute(c->ctx, ix__arg_mv(c, 0), o, NULL, &out));
+    return ix__ret_mv(c, 0, out);
+}
+
 /* The only piece, or all of them with a remark. */
 static ix_status evolute(ix_call *c)
 {
@@ -269,6 +279,8 @@ static ix_status evolute(ix_call *c)
     ix_mv *only;
     ix_crvs e;
 
+    if (ix__arg_mv(c, 0)->ndirs == 2)
+        return surface_evolute(c, &o);
     IX_TRY(ix_evolute_pieces(c->ctx, ix__arg_mv(c, 0), &o, &e));
     if (e.n == 0)
         return IX_ARG_FAIL(c, 0, "a straight line: its evolute is at infinity");
@@ -361,10 +373,10 @@ const ix_builtin ix__builtins_ops_crv[] = {
     {"CNRMLCRV", "c:curve -> curve",
      "The vector of curvature, kappa N, as an exact rational curve in space.",
      CUBIC "n = cnrmlcrv(c);", cnrmlcrv, 0, 9},
-    {"EVOLUTE", "c:curve -> curve|list",
+    {"EVOLUTE", "x:curve|surface -> curve|surface|list",
      "The centres of curvature, exactly; a list of curves if straight parts "
      "are left out. It passes through infinity at the parameters that the "
-     "attribute Poles lists.",
+     "attribute Poles lists. Of a surface: the mean evolute S + n / (2H).",
      CUBIC "e = evolute(c);", evolute, 0, 19},
     {"FOCALCRV", "c:curve -> curve",
      "The centres of the osculating spheres of a space curve, an exact "

@@ -28,6 +28,7 @@ extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
 extern const ix_builtin ix__builtins_ops_crv[];
+extern const ix_builtin ix__builtins_ops_srf[];
 extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_distance[];
 extern const ix_builtin ix__builtins_meet[];
@@ -71,6 +72,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_sym,
     ix__builtins_ops,
     ix__builtins_ops_crv,
+    ix__builtins_ops_srf,
     ix__builtins_poly,
     ix__builtins_distance,
     ix__builtins_meet,

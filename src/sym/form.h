@@ -131,6 +131,11 @@ ix_status ix__form_join(ix_ctx *ctx, int n, const ix_form *const *parts,
 /* To the given degrees, none below f's; a view if there is nothing to do. */
 ix_status ix__form_elevate(ix_ctx *ctx, const ix_form *f, const int *degrees,
                            ix_form *out) IX_MUST_CHECK;
+/* To the given degrees (below 0 means 0) where the leading coefficients in t
+ * are known to vanish: what is not zero in them is lost. A view if there is
+ * nothing to do. */
+ix_status ix__form_lower(ix_ctx *ctx, const ix_form *f, const int *degrees,
+                         ix_form *out) IX_MUST_CHECK;
 /* On breaks that contain those of f: direction dir gets the breaks of sp. */
 ix_status ix__form_refine(ix_ctx *ctx, const ix_form *f, int dir,
                           const ix_spans *sp, ix_form *out) IX_MUST_CHECK;

@@ -1,0 +1,146 @@
+/* ops_srf.h - differential geometry of surfaces; duals and orthotomics.
+ *
+ * S is a surface of 2 or 3 coordinates, polynomial or rational, any basis,
+ * any continuity (results have jumps where second derivatives have them);
+ * borrowed. n = S_v x S_u, not normalised. Degrees are those of IX_FORM_MINIMAL
+ * for input of degree d in a direction (polynomial / rational); there are no
+ * published ones, so IX_FORM_PUBLISHED is the same. IX_FORM_IRIT and
+ * IX_FORM_NAIVE have the degrees of the quotient rule, as IRIT; IX_FORM_IRIT
+ * also has its C0 joins and point types.
+ *
+ * Common errors, not repeated below:
+ *   IX_EARG    not a surface, not 2 or 3 coordinates
+ *   IX_EDOMAIN the normal vanishes identically; all weights are zero; a number
+ *              overflows
+ *   IX_EUNABLE an order above IX_MAX_ORDER
+ * rep (may be NULL) gets the largest deviation from the value by derivatives
+ * on a 5 x 5 grid, relative to the largest value or what the size of the
+ * surface makes of one. */
+#ifndef IRITX_OPS_SRF_H
+#define IRITX_OPS_SRF_H
+
+#include "iritx/ops.h"
+#include "iritx/solve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- fundamental forms and curvature
+ * ------------------------------------------ */
+
+/* The fundamental form k = 1, 2, 3: coefficients 11, 12, 22 as scalars.
+ *
+ *   1  G_ij = S_i.S_j
+ *   2  L_ij = S_ij.n, times |n| what is usual
+ *   3  m_i.m_j, m = n / |n|
+ *
+ * Out   out[3]  E1 for polynomial input and k < 3, else P1; new references
+ * Err   IX_EARG k */
+ix_status ix_srf_forms(ix_ctx *ctx, const ix_mv *s, int k, const ix_op_opts *o,
+                       ix_mv *out[3]) IX_MUST_CHECK;
+
+/* The Gauss curvature K, P1: degree 8d-4 / 12d-8. numerator: only k with K =
+ * w^4 k / |n w^3|^4, scaled so that its largest control value is 1 or -1, E1:
+ * 6d-5 / 8d-8 (with IX_FORM_IRIT P1 for rational input). A surface that is
+ * developable within rounding gives exactly 0. */
+ix_status ix_srf_gauss(ix_ctx *ctx, const ix_mv *s, bool numerator,
+                       const ix_op_opts *o, ix_report *rep,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* The squared mean curvature H^2, P1 (H itself is not rational): degree 12d-6 /
+ * 18d-12. numerator: G11 L22 + G22 L11 - 2 G12 L12 (times a power of w),
+ * scaled as above, E1: 5d-3 / 8d-6. */
+ix_status ix_srf_mean(ix_ctx *ctx, const ix_mv *s, bool numerator,
+                      const ix_op_opts *o, ix_report *rep,
+                      ix_mv **out) IX_MUST_CHECK;
+
+typedef enum {
+    IX_SRF_ALONG_U, /* squared normal curvature of the curves v = const */
+    IX_SRF_ALONG_V, /* of the curves u = const */
+    IX_SRF_TOTAL    /* k1^2 + k2^2 */
+} ix_srf_curvature_kind;
+/* A square of curvature, P1. TOTAL 12d-6 / 18d-12, ALONG_U 8d-6 / 14d-12 in u
+ * and 8d-2 / 14d-4 in v. */
+ix_status ix_srf_curvature(ix_ctx *ctx, const ix_mv *s,
+                           ix_srf_curvature_kind kind, const ix_op_opts *o,
+                           ix_report *rep, ix_mv **out) IX_MUST_CHECK;
+
+/* --- centres
+ * ------------------------------------------------------------------ */
+
+/* The mean evolute S + n / (2 H |n|), H the mean curvature for that normal, P3:
+ * degree 6d-3 / 9d-6. Poles where H = 0.
+ * Err   IX_EDOMAIN H is zero everywhere: a plane or minimal surface */
+ix_status ix_srf_evolute(ix_ctx *ctx, const ix_mv *s, const ix_op_opts *o,
+                         ix_report *rep, ix_mv **out) IX_MUST_CHECK;
+
+/* S + n / (kn |n|), kn the normal curvature of the isoparametric curves along
+ * dir (0: u varies), P3: degree 4d-3 / 7d-6 in direction dir, 4d-1 / 7d-2 in
+ * the other. Err IX_EARG dir; IX_EDOMAIN kn is zero everywhere */
+ix_status ix_srf_focal(ix_ctx *ctx, const ix_mv *s, int dir,
+                       const ix_op_opts *o, ix_report *rep,
+                       ix_mv **out) IX_MUST_CHECK;
+
+/* --- special curves and points
+ * -------------------------------------------------- */
+
+/* Where K = 0, in the parameters of S; tol as in ix_curves_opts. Freed with
+ * ix_solution_curves_free. Err IX_EDOMAIN K is zero everywhere. */
+ix_status ix_srf_parabolic(ix_ctx *ctx, const ix_mv *s, double tol,
+                           ix_solution_curves *out) IX_MUST_CHECK;
+
+/* Where all normal curvatures agree, in the parameters of S: the second form is
+ * a multiple of the first, two equations that are regular at a generic umbilic,
+ * so that it is certified. Freed with ix_solutions_free.
+ * Err   IX_EDOMAIN every point is one: a plane or sphere */
+ix_status ix_srf_umbilics(ix_ctx *ctx, const ix_mv *s, const ix_solve_opts *o,
+                          ix_solutions *out) IX_MUST_CHECK;
+
+/* Principal curvatures k[0] >= k[1] with respect to n, and their directions:
+ * ab[i] with ab[i][0] S_u + ab[i][1] S_v = dir[i] of length 1. At an umbilic
+ * the first direction is that of S_u.
+ * Err   IX_EDOMAIN (u, v) outside, a pole, no normal there */
+typedef struct {
+    double k[2], ab[2][2], dir[2][3];
+} ix_principal;
+ix_status ix_srf_principal(ix_ctx *ctx, const ix_mv *s, double u, double v,
+                           ix_principal *out) IX_MUST_CHECK;
+
+/* Directions of normal curvature 0: *n = 2, 1 (parabolic) or 0; at a flat point
+ * 0. ab, dir as above; k is 0. Err as above. */
+ix_status ix_srf_asymptotic(ix_ctx *ctx, const ix_mv *s, double u, double v,
+                            int *n, ix_principal *out) IX_MUST_CHECK;
+
+/* --- duals
+ * ---------------------------------------------------------------------- */
+
+/* The dual of a planar curve or a surface: the point (A, B) / C for the tangent
+ * line A x + B y + C = 0, (A, B, C) / D for the tangent plane. The dual of the
+ * dual is the original.
+ *
+ * In    m     curve: coordinates after the second are not looked at
+ * Out   *out  curve P2 (P3 with z = 0 for 3 coordinates), degree 2d-2 / 2d-2;
+ *             surface P3, 3d-2 / 3d-2. Tangents through the origin are poles
+ * Err   IX_EARG    neither curve nor surface, one coordinate
+ *       IX_EDOMAIN all tangents pass through the origin; the curve is a point
+ */
+ix_status ix_duality(ix_ctx *ctx, const ix_mv *m, const ix_op_opts *o,
+                     ix_mv **out) IX_MUST_CHECK;
+
+/* The k-orthotomic of a curve or surface with respect to p: P + k times the way
+ * to the foot of its perpendicular on the tangent. k = 2: mirror images of p in
+ * the tangents, k = 1: the pedal.
+ *
+ * In    p     [3]; of a curve the first two count
+ * Out   *out  curve: 2 or 3 coordinates as m, 3d-3 / 4d-4; surface: P3, 5d-3 /
+ *             6d-4
+ * Err   as above, for the point p in place of the origin without the poles */
+ix_status ix_orthotomic(ix_ctx *ctx, const ix_mv *m, const double p[3],
+                        double k, const ix_op_opts *o,
+                        ix_mv **out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
