@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "io/itd_read_impl.h"
+#include "io/read_rules.h"
 
 enum { POINTS_A_POLL = 4096 };
 
@@ -247,26 +248,10 @@ static ix_status read_header(ix__lex *l, ix_obj_type type, header *h)
     return IX_OK;
 }
 
-/* --- weights ---------------------------------------------------------- */
-
-/* Legal, but operators may refuse: the curve goes through infinity. Weights of
- * a power basis are coefficients, whose signs say nothing. */
-static void warn_of_signs(ix__lex *l, const header *h, const double *weights)
-{
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-
-    for (size_t i = 0; i < h->npts; i++) {
-        lo = fmin(lo, weights[i]);
-        hi = fmax(hi, weights[i]);
-    }
-    if (lo < 0 && hi > 0)
-        ix__lex_warn(l, h->at, "weights change sign (%g .. %g)", lo, hi);
-}
-
 static ix_status read_mv(ix__lex *l, ix_obj_type type, ix_mv **out)
 {
     header h = {0};
-    double *pts;
+    double *pts, range[2];
 
     IX_TRY(read_header(l, type, &h));
     IX_SCRATCH(l->ctx, pts, h.npts * (size_t)h.naxes);
@@ -275,8 +260,9 @@ static ix_status read_mv(ix__lex *l, ix_obj_type type, ix_mv **out)
     IX_TRY(at_place(
         l, h.at,
         ix_mv_new(l->ctx, h.ndirs, h.dirs, h.ncoords, h.rational, pts, out)));
-    if (h.rational && h.basis != IX_POWER)
-        warn_of_signs(l, &h, pts);
+    if (ix__signs_change(*out, range))
+        ix__lex_warn(l, h.at, "weights change sign (%g .. %g)", range[0],
+                     range[1]);
     return IX_OK;
 }
 

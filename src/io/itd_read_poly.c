@@ -2,7 +2,7 @@
  * (spec/itd-format 5). Planes and normals are made unit vectors, unless they
  * are so within rounding already. */
 #include "io/itd_read_impl.h"
-#include "io/poly_rules.h"
+#include "io/read_rules.h"
 
 static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,
                               bool *taken)

@@ -1,8 +1,8 @@
 /* xml_read_mv.c - curves, surfaces, trivariates, multivariates and triangular
  * surfaces from XML. No count is believed that the text could not hold. */
-#include <math.h>
 #include <stdint.h>
 
+#include "io/read_rules.h"
 #include "io/xml_read_impl.h"
 
 /* --- knots and points ------------------------------------------------- */
@@ -142,26 +142,10 @@ static ix_status begin_points(ix__xmlr *r, int ndirs, header *h)
     return IX_OK;
 }
 
-/* Legal, but operators may refuse: the curve goes through infinity. Weights of
- * a power basis are coefficients, whose signs say nothing. */
-static void warn_of_signs(ix__xmlr *r, const header *h)
-{
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-
-    for (int d = 0; d < h->ndirs; d++)
-        if (h->dirs[d].basis == IX_POWER)
-            return;
-    for (size_t i = 0; h->rational && i < h->points.n; i++) {
-        lo = fmin(lo, h->points.pts[i]);
-        hi = fmax(hi, h->points.pts[i]);
-    }
-    if (lo < 0 && hi > 0)
-        ix__xml_warn(r->x, h->at, "weights change sign (%g .. %g)", lo, hi);
-}
-
 static ix_status read_mv(ix__xmlr *r, int ndirs, ix_mv **out)
 {
     header h = {.at = r->e.at};
+    double range[2];
     bool more;
 
     IX_TRY(ix__xmlr_allow(r, " type use "));
@@ -186,7 +170,9 @@ static ix_status read_mv(ix__xmlr *r, int ndirs, ix_mv **out)
     IX_TRY(ix__xmlr_at(r, h.at,
                        ix_mv_new(r->ctx, h.ndirs, h.dirs, h.ncoords, h.rational,
                                  h.points.pts, out)));
-    warn_of_signs(r, &h);
+    if (ix__signs_change(*out, range))
+        ix__xml_warn(r->x, h.at, "weights change sign (%g .. %g)", range[0],
+                     range[1]);
     return IX_OK;
 }
 

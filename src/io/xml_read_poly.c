@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <string.h>
 
-#include "io/poly_rules.h"
+#include "io/read_rules.h"
 #include "io/xml_read_impl.h"
 
 /* Vertices gathered so far; their attributes are owned. */

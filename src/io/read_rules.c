@@ -1,6 +1,7 @@
-/* poly_rules.c - planes and normals that a file leaves out or gives with any
- * length. Nothing changes what a writer of ours has written. */
-#include "io/poly_rules.h"
+/* read_rules.c - planes and normals that a file leaves out or gives with any
+ * length, weights that deserve a warning. Nothing changes what a writer of ours
+ * has written. */
+#include "io/read_rules.h"
 
 #include <math.h>
 #include <string.h>
@@ -32,4 +33,20 @@ void ix__poly_complete(ix_polygon *pg)
         memcpy(pg->v[i].normal, pg->plane, sizeof pg->v[i].normal);
         pg->v[i].has_normal = true;
     }
+}
+
+bool ix__signs_change(const ix_mv *m, double range[2])
+{
+    const double *w = ix_mv_weights(m);
+
+    range[0] = HUGE_VAL;
+    range[1] = -HUGE_VAL;
+    for (int d = 0; d < ix_mv_ndirs(m); d++)
+        if (ix_mv_dir(m, d).basis == IX_POWER)
+            return false;
+    for (size_t i = 0; w && i < ix_mv_npts(m); i++) {
+        range[0] = fmin(range[0], w[i]);
+        range[1] = fmax(range[1], w[i]);
+    }
+    return range[0] < 0 && range[1] > 0;
 }
