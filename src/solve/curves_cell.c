@@ -22,7 +22,7 @@
 typedef struct ix__cells {
     ix__curves *s;
     ix__box *stack;
-    int top;
+    int top, made; /* boxes of the stack that have tensors */
     double *work, *face;
 } search;
 
@@ -128,14 +128,13 @@ static double contraction(const ix__curves *s, const graph *g)
 }
 
 /* Looks for a coordinate that is a parameter, the best conditioned first. */
-static bool find_parameter(search *q, const ix__box *b, graph *g)
+static bool find_parameter(const ix__curves *s, const ix__box *b, graph *g)
 {
-    const ix__curves *s = q->s;
-    double mid[4] = {0.5, 0.5, 0.5, 0.5}, best = 0.9;
+    double best = 0.9;
     ix__mat jac;
 
     for (int i = 0; i < s->n - 1; i++)
-        ix__tensor_gradient(&s->shape, tensor(s, b, i), mid, jac[i], q->work);
+        ix__tensor_mean_gradient(&s->shape, tensor(s, b, i), jac[i]);
     for (int k = 0; k < s->n; k++) {
         graph t = {.b = b, .k = k};
         ix__mat sub;
@@ -546,8 +545,10 @@ static ix_status halve(search *q)
         q->top--;
         return report_singular(q, b);
     }
-    if (!c->c)
+    if (q->top + 1 == q->made) {
         IX_SCRATCH(s->ctx, c->c, n);
+        q->made++;
+    }
     keep = c->c;
     *c = *b;
     c->c = keep;
@@ -569,7 +570,7 @@ static ix_status examine(search *q)
         q->top--;
         return IX_OK;
     }
-    if (find_parameter(q, b, &g)) {
+    if (find_parameter(s, b, &g)) {
         int arcs = s->narcs, pts = s->npts;
         bool ok;
 
@@ -590,7 +591,8 @@ static ix_status make_search(ix__curves *s)
     search *q;
 
     IX_SCRATCH_ZERO(s->ctx, q, 1);
-    IX_SCRATCH_ZERO(s->ctx, q->stack, MAX_DEPTH);
+    IX_SCRATCH(s->ctx, q->stack, MAX_DEPTH);
+    q->made = 1;
     IX_SCRATCH(s->ctx, q->work, 2 * s->shape.size);
     IX_SCRATCH(s->ctx, q->face, n);
     IX_SCRATCH(s->ctx, q->stack[0].c, n);

@@ -22,11 +22,11 @@
 typedef struct ix__search {
     ix__system *sys;
     ix__found *found;
-    ix__box *stack; /* [MAX_DEPTH], tensors made when first used */
-    int top;
-    double *g;    /* [n][size]: the preconditioned equations */
-    double *work; /* [2 size] */
-    double *copy; /* [n][size]: for the inflated box */
+    ix__box *stack; /* [MAX_DEPTH] */
+    int top, made;  /* boxes of the stack that have tensors */
+    double *g;      /* [n][size]: the preconditioned equations */
+    double *work;   /* [2 size] */
+    double *copy;   /* [n][size]: for the inflated box */
 } search;
 
 static double *tensor(const ix__system *s, const ix__box *b, int i)
@@ -70,15 +70,10 @@ static bool signs_allow(const ix__system *s, const ix__box *b)
     return true;
 }
 
-static void centre_jacobian(search *q, const ix__box *b, ix__mat jac)
+static void mean_jacobian(const ix__system *s, const ix__box *b, ix__mat jac)
 {
-    const ix__system *s = q->sys;
-    double mid[IX_MAX_UNKNOWNS];
-
-    for (int j = 0; j < s->n; j++)
-        mid[j] = 0.5;
     for (int i = 0; i < s->n; i++)
-        ix__tensor_gradient(&s->shape, tensor(s, b, i), mid, jac[i], q->work);
+        ix__tensor_mean_gradient(&s->shape, tensor(s, b, i), jac[i]);
 }
 
 /* g = m f for the first n equations; err[n] bounds its coefficients' error. */
@@ -376,17 +371,17 @@ static ix_status find_the_one(search *q, const ix__box *b, const double *ferr,
     return report_root(q, b, x, rest);
 }
 
-/* One solution at most in the inflated box? Then find it. */
-static ix_status unique(search *q, const ix__box *b, verdict *v)
+/* One solution at most in the inflated box? Then find it. inv: the inverse of
+ * the mean Jacobian. */
+static ix_status unique(search *q, const ix__box *b, ix__mat inv, verdict *v)
 {
     const ix__system *s = q->sys;
     double ferr[IX_MAX_UNKNOWNS], lip;
-    ix__mat jac, m;
+    ix__mat m;
 
-    *v = UNDECIDED;
-    centre_jacobian(q, b, jac);
-    if (!ix__small_invert(s->n, jac, m) || !(contraction(q, b->c, m) < 0.9))
+    if (!(contraction(q, b->c, inv) < 0.9))
         return IX_OK;
+    memcpy(m, inv, sizeof m);
     inflate(q, b, ferr);
     for (int i = 0; i < s->n; i++)
         for (int k = 0; k < s->n; k++)
@@ -452,8 +447,10 @@ static ix_status push_halves(search *q)
         q->top--;
         return report_open(q, b);
     }
-    if (!c->c)
+    if (q->top + 1 == q->made) {
         IX_SCRATCH(s->ctx, c->c, n);
+        q->made++;
+    }
     keep = c->c;
     *c = *b;
     c->c = keep;
@@ -481,13 +478,15 @@ static ix_status examine(search *q)
             q->top--;
             return IX_OK;
         }
-        IX_TRY(unique(q, b, &v));
+        mean_jacobian(s, b, jac);
+        regular = ix__small_invert(s->n, jac, m);
+        v = UNDECIDED;
+        if (regular)
+            IX_TRY(unique(q, b, m, &v));
         if (v != UNDECIDED) {
             q->top--;
             return IX_OK;
         }
-        centre_jacobian(q, b, jac);
-        regular = ix__small_invert(s->n, jac, m);
         if (!regular)
             ix__small_left_vectors(s->n, jac, m);
         combine(q, b, m, err);
@@ -511,8 +510,9 @@ static ix_status make_search(ix__system *sys)
     search *q;
 
     IX_SCRATCH_ZERO(sys->ctx, q, 1);
-    IX_SCRATCH_ZERO(sys->ctx, q->stack, MAX_DEPTH);
+    IX_SCRATCH(sys->ctx, q->stack, MAX_DEPTH);
     IX_SCRATCH(sys->ctx, q->stack[0].c, (size_t)sys->nall * size);
+    q->made = 1;
     IX_SCRATCH(sys->ctx, q->g, (size_t)sys->n * size);
     IX_SCRATCH(sys->ctx, q->copy, (size_t)sys->n * size);
     IX_SCRATCH(sys->ctx, q->work, 2 * size);

@@ -101,17 +101,42 @@ void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
     }
 }
 
+void ix__tensor_mean_gradient(const ix__shape *s, const double *c, double *grad)
+{
+    for (int j = 0; j < s->n; j++) {
+        size_t inner = s->stride[j], m = (size_t)s->dims[j];
+        double sum = 0;
+
+        for (const double *p = c; p < c + s->size; p += inner * m)
+            for (size_t i = 0; i < inner; i++)
+                sum += p[(m - 1) * inner + i] - p[i];
+        /* the mean of Bernstein coefficients is the mean of the function */
+        grad[j] = sum * (double)m / (double)s->size;
+    }
+}
+
+/* Four running extremes, so that they need not wait for each other. */
 void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
                       double *hi)
 {
-    double a = c[0], b = c[0];
+    double a[4] = {c[0], c[0], c[0], c[0]}, b[4] = {c[0], c[0], c[0], c[0]};
+    size_t i = 0;
 
-    for (size_t i = 1; i < s->size; i++) {
-        a = c[i] < a ? c[i] : a;
-        b = c[i] > b ? c[i] : b;
+    for (; i + 4 <= s->size; i += 4)
+        for (int k = 0; k < 4; k++) {
+            a[k] = c[i + (size_t)k] < a[k] ? c[i + (size_t)k] : a[k];
+            b[k] = c[i + (size_t)k] > b[k] ? c[i + (size_t)k] : b[k];
+        }
+    for (; i < s->size; i++) {
+        a[0] = c[i] < a[0] ? c[i] : a[0];
+        b[0] = c[i] > b[0] ? c[i] : b[0];
     }
-    *lo = a;
-    *hi = b;
+    for (int k = 1; k < 4; k++) {
+        a[0] = a[k] < a[0] ? a[k] : a[0];
+        b[0] = b[k] > b[0] ? b[k] : b[0];
+    }
+    *lo = a[0];
+    *hi = b[0];
 }
 
 void ix__tensor_slope_range(const ix__shape *s, const double *c, int j,

@@ -27,6 +27,9 @@ double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
                         double *work);
 void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
                          double *grad, double *work);
+/* The mean of the gradient over the box: exact, from the faces alone. */
+void ix__tensor_mean_gradient(const ix__shape *s, const double *c,
+                              double *grad);
 /* Range of the coefficients. */
 void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
                       double *hi);
