@@ -174,6 +174,9 @@ static ix_status curve_points(ix_call *c, int n, const ix_equation *eq,
     ix_status st;
 
     IX_TRY(ix_solve_curves(c->ctx, n, eq, &o, &s));
+    if (!s.complete)
+        ix__remark(c->in, "stopped after %zu boxes: curves may be missing",
+                   s.boxes);
     list = ix__obj_list(c->ctx);
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; i < s.ncurves; i++)
@@ -205,6 +208,11 @@ static ix_status mzero(ix_call *c)
                            subdiv);
     if (n == eq[0].f->ndirs - 1)
         return curve_points(c, n, eq, subdiv);
+    if (n < eq[0].f->ndirs)
+        return IX_ARG_FAIL(c, 0,
+                           "%d equations in %d unknowns: their zeros are not "
+                           "points or curves; %d or more are wanted",
+                           n, eq[0].f->ndirs, eq[0].f->ndirs - 1);
     IX_TRY(ix_solve(c->ctx, n, eq, NULL, &s));
     if (!s.complete)
         ix__remark(c->in, "stopped after %zu boxes: solutions may be missing",

@@ -530,6 +530,24 @@ static void coincident(void **state)
     ix_solutions_free(ctx, &s);
 }
 
+/* An equation that vanishes says nothing: what the other one leaves is open,
+ * after few boxes. */
+static void vanishing(void **state)
+{
+    static const char *const text[] = {"x^2 + y^2 - 1", "x - x"};
+    double box[6][2];
+    ix_solutions s;
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    s = solve_text(2, 2, text, box, NULL, NULL);
+    assert_int_equal(s.n, 1);
+    assert_false(s.sol[0].certified);
+    assert_true(s.complete);
+    assert_true(s.boxes < 100);
+    ix_solutions_free(ctx, &s);
+}
+
 static void errors(void **state)
 {
     double box[6][2];
@@ -619,6 +637,7 @@ int main(void)
                                        cmocka_unit_test(budget),
                                        cmocka_unit_test(interrupted),
                                        cmocka_unit_test(coincident),
+                                       cmocka_unit_test(vanishing),
                                        cmocka_unit_test(errors),
                                        cmocka_unit_test(out_of_memory),
                                        cmocka_unit_test(tell)};
