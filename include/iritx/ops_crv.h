@@ -200,6 +200,27 @@ ix_status ix_crv_ruled(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
                        const double range[2], const ix_op_opts *o,
                        ix_report *rep, ix_mv **out) IX_MUST_CHECK;
 
+/* --- curvature as a function -----------------------------------------------
+ */
+
+/* Signed curvature of a planar curve (the first two coordinates), roughly: n
+ * samples at uniform parameters are the control values of an E1 B-spline of
+ * that order, with uniform open knots over the domain or, arclen, over [0,
+ * length] by arc length.
+ *
+ * Err   IX_EARG n or order; IX_EDOMAIN x' = 0 or a pole at a sample */
+ix_status ix_curvature_function(ix_ctx *ctx, const ix_mv *crv, int n, int order,
+                                bool arclen, ix_mv **out) IX_MUST_CHECK;
+/* The planar curve with curvature k(s), s the arc length, from the origin in
+ * direction (1, 0).
+ *
+ * In    k       polynomial, one coordinate
+ *       n       cubic pieces, C1; the error falls with n^-4
+ *       closed  the gap between the ends is spread evenly
+ * Out   *out    E2 B-spline of order 4, domain of k */
+ix_status ix_curve_of_curvature(ix_ctx *ctx, const ix_mv *k, int n, bool closed,
+                                ix_mv **out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -361,7 +361,8 @@ static ix_status check_denominator(ix_ctx *ctx, const ix_curve *c,
 }
 
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
-                       ix_degree_form form, const ix_op_opts *o, ix_mv **out)
+                       ix_degree_form form, const ix_op_opts *o, int *dim,
+                       ix_mv **out)
 {
     ix__curve_kind as = kind == IX_CRV_INFLECTION ? IX__CURVE_FLAT : IX__CURVE;
     ix_curve c;
@@ -369,6 +370,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
 
     IX_TRY(ix__curve_load(ctx, crv, as, form == IX_FORM_MINIMAL, &c));
     IX_TRY(check_denominator(ctx, &c, kind));
+    *dim = c.dim;
     IX_TRY(builders[kind][form](ctx, &c, &f));
     return ix__rows_store(ctx, f.f.rational ? &f.f.w : NULL, &f.f.x,
                           f.length * c.frame.exp + f.weight * c.wexp,
@@ -380,25 +382,57 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
 typedef struct {
     const ix_mv *field;
     ix_crv_field_kind kind;
+    int dim;        /* of the curve: 2 or 3 */
     int weight;     /* the field is w^weight times its definition */
     double largest; /* value met */
 } probe_arg;
 
+/* |x'|^8 (kappa^2)' from b = x' x x'' and q = |x'|^2, or in the plane |x'|^5
+ * kappa'; of rational fields (kappa^2)' itself. */
+static double slope(const ix_probe *at, const double *b, double q,
+                    const probe_arg *a)
+{
+    double c[3], bb = ix__dot3(b, b), dot = ix__dot3(at->x[1], at->x[2]), s;
+
+    ix__cross3(at->x[1], at->x[3], c);
+    if (a->dim == 2 && !ix_mv_rational(a->field))
+        return c[2] * q - 3.0 * dot * b[2];
+    s = 2.0 * ix__dot3(b, c) * q - 6.0 * bb * dot;
+    return ix_mv_rational(a->field) ? s / (q * q * q * q) : s;
+}
+
 /* The definition at a probe. */
-static double definition(const ix_probe *at, ix_crv_field_kind kind)
+static double definition(const ix_probe *at, const probe_arg *a)
 {
     double b[3], q = ix__dot3(at->x[1], at->x[1]);
 
     ix__cross3(at->x[1], at->x[2], b);
-    switch (kind) {
+    switch (a->kind) {
     case IX_CRV_INFLECTION:
         return b[2];
+    case IX_CRV_CRITICAL:
+        return slope(at, b, q, a);
     case IX_CRV_TORSION_ZERO:
         return ix__dot3(b, at->x[3]);
     case IX_CRV_TORSION:
         return ix__dot3(b, at->x[3]) / ix__dot3(b, b);
     default:
         return ix__dot3(b, b) / (q * q * q);
+    }
+}
+
+/* The power of the weight in a polynomial field. */
+static int power_of_weight(ix_crv_field_kind kind, int dim, bool is_published)
+{
+    switch (kind) {
+    case IX_CRV_INFLECTION:
+        return 3;
+    case IX_CRV_CRITICAL:
+        return dim == 2 ? 8 + is_published : 11 + 2 * is_published;
+    case IX_CRV_TORSION_ZERO:
+        return is_published ? 6 : 4;
+    default:
+        return 0;
     }
 }
 
@@ -409,7 +443,7 @@ static ix_status compare(ix_ctx *ctx, const ix_probe *at, const void *arg,
     double v[2], want;
 
     IX_TRY(ix_mv_eval(ctx, a->field, &at->t, v));
-    want = definition(at, a->kind);
+    want = definition(at, a);
     if (ix_mv_rational(a->field))
         v[0] = v[1] / v[0];
     else
@@ -419,21 +453,15 @@ static ix_status compare(ix_ctx *ctx, const ix_probe *at, const void *arg,
     return IX_OK;
 }
 
-/* The critical field is not measured: it is a derivative of what is. */
-static ix_status measure(ix_ctx *ctx, const ix_mv *crv, const ix_mv *f,
-                         ix_crv_field_kind kind, ix_report *rep)
+static ix_status measure(ix_ctx *ctx, const ix_mv *crv, probe_arg *a,
+                         ix_report *rep)
 {
-    probe_arg a = {f, kind, 0, 0.0}, *pa = &a;
     double worst = 0.0;
 
-    if (kind == IX_CRV_CRITICAL)
-        return IX_OK;
-    if (kind == IX_CRV_INFLECTION)
-        a.weight = 3;
-    if (kind == IX_CRV_TORSION_ZERO)
-        a.weight = rep->form == IX_FORM_PUBLISHED ? 6 : 4;
-    IX_TRY(ix__probe(ctx, crv, compare, &pa, &worst));
-    rep->residual = a.largest > 0.0 ? worst / a.largest : worst;
+    a->weight = power_of_weight(a->kind, a->dim,
+                                rep->form == IX_FORM_PUBLISHED);
+    IX_TRY(ix__probe(ctx, crv, compare, &a, &worst));
+    rep->residual = a->largest > 0.0 ? worst / a->largest : worst;
     rep->how = "against derivatives at nine parameters, relative to the "
                "largest value";
     return IX_OK;
@@ -442,6 +470,7 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *crv, const ix_mv *f,
 static ix_status run(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
                      const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
+    probe_arg a = {.kind = kind};
     ix_degree_form form;
     ix_mv *f;
     ix_status st;
@@ -449,9 +478,10 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
     if (kind < IX_CRV_INFLECTION || kind > IX_CRV_TORSION)
         return IX_FAIL(ctx, IX_EARG, "field %d is not in 0 .. 4", (int)kind);
     IX_TRY(ix__form_of_opts(ctx, o, &form));
-    IX_TRY(build(ctx, crv, kind, form, o, &f));
+    IX_TRY(build(ctx, crv, kind, form, o, &a.dim, &f));
     ix__report_init(rep, form, f);
-    st = rep ? measure(ctx, crv, f, kind, rep) : IX_OK;
+    a.field = f;
+    st = rep ? measure(ctx, crv, &a, rep) : IX_OK;
     if (st != IX_OK) {
         ix_mv_unref(ctx, f);
         return st;

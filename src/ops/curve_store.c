@@ -15,9 +15,18 @@ ix_join_rule ix__join_rule(const ix_op_opts *o)
     return (ix_join_rule){irit, irit ? 0 : o ? o->max_cont : INT_MAX};
 }
 
-/* IRIT joins pieces whose ends are equal: up to this part of the largest
- * coefficient, wider than what rounding leaves at the degrees in question. */
+/* IRIT joins pieces whose ends are equal: up to this part of the coefficients
+ * next to them, wider than what rounding leaves at the degrees in question. */
 #define EQUAL_ENDS 1e-9
+
+/* True if the coefficients on both sides of at agree, at[-1] and at[0]. */
+static bool ends_meet(const double *at, size_t m)
+{
+    size_t near = m > 1 ? 2 : 1;
+
+    return fabs(at[0] - at[-1]) <=
+           EQUAL_ENDS * ix__bern_largest(2 * near, at - near);
+}
 
 /* Joins as IRIT makes them: C0 or a jump, by the values. */
 static ix_status irit_joins(ix_ctx *ctx, ix_form *f)
@@ -33,14 +42,9 @@ static ix_status irit_joins(ix_ctx *ctx, ix_form *f)
     IX_SCRATCH(ctx, own, 1);
     for (int j = 0; j + 1 < sp->nspans; j++) {
         cont[j] = 0;
-        for (int r = 0; r < f->nrows; r++) {
-            const double *row = b + (size_t)r * f->n;
-            const double *at = row + (size_t)(j + 1) * m;
-
-            if (!(fabs(at[0] - at[-1]) <=
-                  EQUAL_ENDS * ix__bern_largest(f->n, row)))
+        for (int r = 0; r < f->nrows; r++)
+            if (!ends_meet(b + (size_t)r * f->n + (size_t)(j + 1) * m, m))
                 cont[j] = -1;
-        }
     }
     *own = *sp;
     own->cont = cont;
