@@ -153,6 +153,10 @@ $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))
 
+check-occt: $(PROG)                                 ## STEP files read by Open CASCADE, if installed
+	@tests/occt/run $(B)/iritx
+.PHONY: check-occt
+
 FMT = $(shell find include src tests bench irit_ext -name '*.[ch]' 2>/dev/null)
 lint: check-lint format-check analyze               ## check-lint, clang-format, clang-tidy, cppcheck
 analyze:                                            ## clang-tidy and cppcheck, if installed

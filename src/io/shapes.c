@@ -3,9 +3,9 @@
 #include "io/shapes.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "io/x3d_impl.h"
 #include "object/walk.h"
 
 typedef struct {
@@ -125,7 +125,9 @@ static ix_status sides(walker *w, const ix_obj *o, const ix_mv *tv)
 
             ix_mv_domain(tv, d, dom);
             IX_TRY(ix_mv_fix(w->ctx, tv, d, dom[end], &side));
-            st = surface(w, o, side);
+            st = w->sink->freeform ? w->sink->freeform(w->sink->arg, o, side)
+                                   : surface(w, o, side);
+            w->written += w->sink->freeform != NULL;
             ix_mv_unref(w->ctx, side);
             IX_TRY(st);
         }
@@ -134,6 +136,10 @@ static ix_status sides(walker *w, const ix_obj *o, const ix_mv *tv)
 
 static ix_status freeform(walker *w, const ix_obj *o, const ix_mv *m)
 {
+    if (w->sink->freeform && ix_mv_ndirs(m) <= 2) {
+        w->written++;
+        return w->sink->freeform(w->sink->arg, o, m);
+    }
     switch (ix_mv_ndirs(m)) {
     case 1:
         return curve(w, o, m);
@@ -307,33 +313,11 @@ int ix__polygon_ears(const ix_polygon *pg, int *work, int (*tri)[3])
 
 /* --- colours -------------------------------------------------------------- */
 
-bool ix__shape_color(const ix_obj *o, int rgb[3])
+bool ix__shape_color(const ix_obj *o, double rgb[3])
 {
-    /* the sixteen colours of IRIT's COLOR */
-    static const unsigned char table[16][3] = {
-        {0, 0, 0},     {0, 0, 255},     {0, 255, 0},     {0, 255, 255},
-        {255, 0, 0},   {255, 0, 255},   {150, 75, 0},    {170, 170, 170},
-        {85, 85, 85},  {100, 100, 255}, {100, 255, 100}, {100, 255, 255},
-        {255, 85, 85}, {255, 85, 255},  {255, 255, 0},   {255, 255, 255}};
-    const ix_attr *a = ix__attr_find(o->attrs, "rgb");
-    const char *s = a && a->type == IX_ATTR_STRING ? a->s : NULL;
-    int n = 0;
+    const ix__x3d_look none = {.rgb = {-1, -1, -1}};
+    ix__x3d_look look = ix__x3d_look_of(o->attrs, none);
 
-    for (; s && n < 3; n++) {
-        double v;
-
-        s += strspn(s, " ,");
-        s = ix_num_parse(s, s + strlen(s), &v);
-        if (!s || !(v >= 0 && v <= 255))
-            break;
-        rgb[n] = (int)v;
-    }
-    if (n == 3)
-        return true;
-    a = ix__attr_find(o->attrs, "color");
-    if (!a || a->type != IX_ATTR_INT || a->i < 0 || a->i > 15)
-        return false;
-    for (n = 0; n < 3; n++)
-        rgb[n] = table[a->i][n];
-    return true;
+    memcpy(rgb, look.rgb, sizeof look.rgb);
+    return rgb[0] >= 0;
 }

@@ -11,6 +11,8 @@
  * the object that the shape comes from, for names and colours. */
 typedef struct {
     const char *format; /* "STL files", for messages */
+    /* curves and surfaces as they are; else, if NULL, the next two */
+    ix_status (*freeform)(void *arg, const ix_obj *o, const ix_mv *m);
     ix_status (*mesh)(void *arg, const ix_obj *o, const ix__mesh *m);
     ix_status (*lines)(void *arg, const ix_obj *o, const ix__lines *l);
     ix_status (*poly)(void *arg, const ix_obj *o, const ix_poly *p);
@@ -33,8 +35,7 @@ ix_status ix__shape_tol(ix_ctx *ctx, const ix_obj *o,
  * n - 2, work for n. Returns how many there are. */
 int ix__polygon_ears(const ix_polygon *pg, int *work, int (*tri)[3]);
 
-/* Colour of an object, 0 .. 255: from "rgb" ("r,g,b") or IRIT's "color" 0 ..
- * 15. False if it has none. */
-bool ix__shape_color(const ix_obj *o, int rgb[3]);
+/* Colour of an object, 0 .. 1; false if it has none. */
+bool ix__shape_color(const ix_obj *o, double rgb[3]);
 
 #endif

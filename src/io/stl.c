@@ -117,6 +117,18 @@ static ix_status put_polygon(stl *s, const ix_polygon *pg)
     return ix__buf_check(s->b);
 }
 
+/* Each vertex after the second makes a triangle with the two before it. */
+static ix_status put_strip(stl *s, const ix_polygon *pg)
+{
+    for (int i = 0; i + 2 < pg->n; i++) {
+        const double *const p[3] = {pg->v[i + i % 2].p, pg->v[i + 1 - i % 2].p,
+                                    pg->v[i + 2].p};
+
+        IX_TRY(put_face(s, p));
+    }
+    return ix__buf_check(s->b);
+}
+
 static ix_status put_poly(void *arg, const ix_obj *o, const ix_poly *p)
 {
     stl *s = arg;
@@ -128,6 +140,8 @@ static ix_status put_poly(void *arg, const ix_obj *o, const ix_poly *p)
 
         if (p->poly[i].kind == IX_POLYGON && p->poly[i].n > 2)
             st = put_polygon(s, &p->poly[i]);
+        else if (p->poly[i].kind == IX_POLYSTRIP)
+            st = put_strip(s, &p->poly[i]);
         ix__scratch_release(s->b->ctx, mk);
         IX_TRY(st);
     }
