@@ -34,17 +34,22 @@ static void add(walk *w, ix_root_kind kind, double t, double pad, int count,
                                 .after = after};
 }
 
-/* How far from a root at an end of the span the true root may be. */
-static double end_pad(int d, const double *b, double band, double len,
+/* How far from a root of multiplicity m at an end of the span the true ones
+ * may be: with m coefficients inside the band, the next one leads, and u with
+ * C(d,m) |b_m| u^m <= 4 band bounds them. */
+static double end_pad(int d, const double *b, double band, double len, int m,
                       bool right)
 {
-    double slope = d == 0  ? 0
-                   : right ? d * (b[d] - b[d - 1])
-                           : d * (b[1] - b[0]);
+    double lead = 1;
 
-    if (band == 0)
+    if (band == 0 || m == 0)
         return 0;
-    return slope != 0 ? fmin(2 * band / fabs(slope), 1) * len : len;
+    if (m > d)
+        return len;
+    for (int k = 1; k <= m; k++)
+        lead *= (double)(d - k + 1) / k;
+    lead *= fabs(b[right ? d - m : m]);
+    return fmin(pow(4 * band / lead, 1.0 / m), 1) * len;
 }
 
 static ix_root_kind kind_of(int mult, int before, int after)
@@ -118,12 +123,12 @@ static void take_span(walk *w, const ix__poly_roots *r, int d, const double *b,
     if (w->open)
         w->root[w->n - 1].after = r->sign0;
     else
-        at_break(w, r, x[0], end_pad(d, b, band, len, false));
+        at_break(w, r, x[0], end_pad(d, b, band, len, r->zeros0, false));
     w->open = false;
     inside(w, r, x[0], len);
     w->sign = r->sign1;
     w->zeros = r->zeros1;
-    w->pad = end_pad(d, b, band, len, true);
+    w->pad = end_pad(d, b, band, len, r->zeros1, true);
 }
 
 ix_status ix__spans_roots(ix_ctx *ctx, const ix_spans *sp, const double *b,
