@@ -118,22 +118,27 @@ static ix_status decompose(ix_ctx *ctx, const ix_mv *f, int axis,
     for (int j = 0; j < f->ndirs; j++) {
         ix_spans own = sp[j];
         size_t outer = 1, len;
+        const double *line = in;
         double *c, *e;
 
         own.degree = f->dirs[j].order - 1;
         for (int k = j + 1; k < f->ndirs; k++)
             outer *= (size_t)f->dirs[k].length;
         len = (size_t)own.nspans * ((size_t)own.degree + 1);
-        IX_SCRATCH(ctx, c, outer * len * inner);
-        IX_TRY(ix__spans_extract(ctx, &f->dirs[j], &own, outer, inner, in, c));
+        if (f->dirs[j].basis != IX_BEZIER || own.nspans > 1) {
+            IX_SCRATCH(ctx, c, outer * len * inner);
+            IX_TRY(
+                ix__spans_extract(ctx, &f->dirs[j], &own, outer, inner, in, c));
+            line = c;
+        }
         if (own.degree < sp[j].degree) {
             len = (size_t)own.nspans * ((size_t)sp[j].degree + 1);
             IX_SCRATCH(ctx, e, outer * len * inner);
-            elevate(c, outer * (size_t)own.nspans, own.degree, sp[j].degree,
+            elevate(line, outer * (size_t)own.nspans, own.degree, sp[j].degree,
                     inner, e);
-            c = e;
+            line = e;
         }
-        in = c;
+        in = line;
         inner *= len;
     }
     IX_SCRATCH(ctx, *out, inner);

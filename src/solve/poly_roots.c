@@ -29,6 +29,7 @@ typedef struct {
     ix__poly_roots *out;
     piece *stack; /* [depth]: pieces still to be looked at, leftmost on top */
     int top, depth;
+    int made;     /* pieces of the stack that have arrays */
     int cap;      /* room in out->root */
     bool precise; /* double-double */
 } search;
@@ -237,13 +238,17 @@ static void report_simple(search *s, piece *p, double *work)
 /* --- the search
  * ------------------------------------------------------------------ */
 
-static ix_status new_piece(search *s, int degree, piece *p)
+/* The first piece of the stack that has no arrays gets them. */
+static ix_status new_piece(search *s, int degree)
 {
+    piece *p = &s->stack[s->made];
+
     p->degree = degree;
     IX_SCRATCH(s->ctx, p->h, degree + 1);
     p->l = NULL;
     if (s->precise)
         IX_SCRATCH(s->ctx, p->l, degree + 1);
+    s->made++;
     return IX_OK;
 }
 
@@ -297,8 +302,8 @@ static ix_status search_all(search *s)
             s->top--;
             continue;
         }
-        if (!s->stack[s->top + 1].h)
-            IX_TRY(new_piece(s, p->degree, &s->stack[s->top + 1]));
+        if (s->top + 1 == s->made)
+            IX_TRY(new_piece(s, p->degree));
         split(p, r, m, &s->stack[s->top + 1]);
         s->top++;
         IX_TRY(ix__poll(s->ctx));
@@ -370,8 +375,8 @@ static ix_status start(search *s, ix_ctx *ctx, const piece *whole, bool precise)
     *s = (search){.ctx = ctx,
                   .precise = precise,
                   .depth = precise ? DEPTH_DD : DEPTH_DOUBLE};
-    IX_SCRATCH_ZERO(ctx, s->stack, s->depth);
-    IX_TRY(new_piece(s, whole->degree, &s->stack[0]));
+    IX_SCRATCH(ctx, s->stack, s->depth);
+    IX_TRY(new_piece(s, whole->degree));
     memcpy(s->stack[0].h, whole->h, bytes);
     if (precise)
         memset(s->stack[0].l, 0, bytes);
@@ -439,8 +444,8 @@ static ix_status count_clusters(search *s, const piece *whole)
     ix__poly_roots *o = s->out;
     int n = 0;
 
-    if (!s->stack[1].h)
-        IX_TRY(new_piece(s, whole->degree, &s->stack[1]));
+    if (s->made == 1)
+        IX_TRY(new_piece(s, whole->degree));
     for (int i = 0; i < o->n; i++) {
         ix__poly_root *r = &o->root[i];
 

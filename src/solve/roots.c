@@ -163,6 +163,16 @@ ix_status ix__spans_roots(ix_ctx *ctx, const ix_spans *sp, const double *b,
     return IX_OK;
 }
 
+/* Bernstein coefficients of one axis; those of a Bezier curve are its own. */
+static ix_status take(ix_ctx *ctx, const ix_mv *f, const ix_spans *sp,
+                      const double *axis, double *b)
+{
+    if (f->dirs[0].basis != IX_BEZIER)
+        return ix__spans_extract(ctx, &f->dirs[0], sp, 1, 1, axis, b);
+    memcpy(b, axis, ((size_t)sp->degree + 1) * sizeof *b);
+    return IX_OK;
+}
+
 /* Bernstein coefficients of the axis (minus level times the weight). */
 static ix_status coefficients(ix_ctx *ctx, const ix_mv *f, int axis,
                               double level, const ix_spans *sp, double *b)
@@ -170,8 +180,7 @@ static ix_status coefficients(ix_ctx *ctx, const ix_mv *f, int axis,
     size_t n = (size_t)sp->nspans * ((size_t)sp->degree + 1);
     double *w;
 
-    IX_TRY(
-        ix__spans_extract(ctx, &f->dirs[0], sp, 1, 1, ix_mv_axis(f, axis), b));
+    IX_TRY(take(ctx, f, sp, ix_mv_axis(f, axis), b));
     if (level == 0)
         return IX_OK;
     if (!f->rational) {
@@ -180,7 +189,7 @@ static ix_status coefficients(ix_ctx *ctx, const ix_mv *f, int axis,
         return IX_OK;
     }
     IX_SCRATCH(ctx, w, n);
-    IX_TRY(ix__spans_extract(ctx, &f->dirs[0], sp, 1, 1, ix_mv_weights(f), w));
+    IX_TRY(take(ctx, f, sp, ix_mv_weights(f), w));
     for (size_t i = 0; i < n; i++)
         b[i] -= level * w[i];
     return IX_OK;
