@@ -160,7 +160,8 @@ check-occt: $(PROG)                                 ## STEP files read by Open C
 FMT = $(shell find include src tests bench irit_ext -name '*.[ch]' 2>/dev/null)
 lint: check-lint format-check analyze               ## check-lint, clang-format, clang-tidy, cppcheck
 analyze:                                            ## clang-tidy and cppcheck, if installed
-	@scripts/dev/analyze $(LIB_SRC) $(APP_SRC)
+	@PKG_CPPFLAGS='-I$(B)/gen $(PKG_CPPFLAGS) $(shell pkg-config --cflags $(CAIRO) 2>/dev/null)' \
+	 scripts/dev/analyze $(LIB_SRC) $(APP_SRC)
 format:                                             ## rewrite the sources with clang-format
 	clang-format -i $(FMT)
 format-check:                                       ## do the sources look as clang-format wants?

@@ -105,7 +105,8 @@ ix_status ix_solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                    const ix_solve_opts *o, ix_solutions *out) IX_MUST_CHECK;
 void ix_solutions_free(ix_ctx *ctx, ix_solutions *s);
 
-/* --- n - 1 equations in n unknowns: curves ---------------------------------- */
+/* --- n - 1 equations in n unknowns: curves ----------------------------------
+ */
 
 typedef struct {
     double tol;       /* distance of the polyline from the curve, as a part of

@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "app/listing.h"
-#include "app/picture.h"
 #include "app/options.h"
+#include "app/picture.h"
 #include "app/prompt.h"
 
 #define DEFAULT_MEMORY ((size_t)1 << 30)

@@ -3,7 +3,7 @@
 #define GEOM_ANGLE_H
 
 #define IX__PI         3.14159265358979323846
-#define IX__DEG(x)     ((x) * 180 / IX__PI)
-#define IX__RADIANS(x) ((x) * IX__PI / 180)
+#define IX__DEG(x)     (180 * (x) / IX__PI)
+#define IX__RADIANS(x) (IX__PI * (x) / 180)
 
 #endif

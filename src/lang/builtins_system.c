@@ -329,7 +329,7 @@ static ix_status b_system(ix_call *c)
     int rc;
 
     IX_TRY(ix__system_check(c->in));
-    fflush(NULL); /* what was printed before comes first */
+    (void)fflush(NULL); /* what was printed before comes first */
     rc = system(ix__arg_str(c, 0));
     if (rc != 0)
         ix__remark(c->in, "the command ended with status %d",

@@ -66,8 +66,7 @@ static ix_status check_kind(ix_interp *in, const char *name)
     return IX_OK;
 }
 
-static ix_status check_below(ix_interp *in, const char *doing,
-                             const char *name)
+static ix_status check_below(ix_interp *in, const char *doing, const char *name)
 {
     char real[PATH_MAX];
 

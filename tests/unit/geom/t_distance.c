@@ -370,8 +370,10 @@ static void contours(void **state)
             assert_true(c.curve[i].start != IX_END_OPEN);
             for (int k = 0; k < c.curve[i].n; k++) {
                 ASSERT_OK(ctx, ix_mv_point(ctx, s, c.curve[i].x + 2 * k, x));
-                ASSERT_CLOSE(0, fabs(plane[0] * x[0] + plane[1] * x[1] +
-                                 plane[2] * x[2] + plane[3]), 1e-13);
+                ASSERT_CLOSE(0,
+                             fabs(plane[0] * x[0] + plane[1] * x[1] +
+                                  plane[2] * x[2] + plane[3]),
+                             1e-13);
             }
         }
         ix_solution_curves_free(ctx, &c);

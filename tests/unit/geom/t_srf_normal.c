@@ -37,8 +37,7 @@ static void test_normals(void **state)
     (void)state;
     for (int k = 0; k < ROUNDS; k++) {
         ix_mv *s = gt_random(&t, 2, ix_rng_int(&t.r, 2, 3), 0,
-                             IX_RAND_BEZIER | IX_RAND_OPEN | IX_RAND_FLOAT,
-                             2);
+                             IX_RAND_BEZIER | IX_RAND_OPEN | IX_RAND_FLOAT, 2);
         ix_mv *f = NULL;
         double uv[2], du[3], dv[3], p[3], n[3], field[IX_MAX_COORDS];
         double axis[3], angle, dot = 0;
