@@ -64,9 +64,11 @@ ix_status ix__xml_validate(ix_ctx *ctx, const char *fname, const char *text,
                            size_t n) IX_MUST_CHECK;
 
 /* --- X3D (docs/x3d.md) -------------------------------------------------- */
-/* Appends a whole scene. What X3D cannot show is left out, with a note. Err
- * IX_EUNABLE as ix__xml_write, IX_ENOMEM. */
-ix_status ix__x3d_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
+/* Appends a whole scene. What X3D cannot show is left out, with a note. w (may
+ * be NULL): tol only. Err IX_EUNABLE as ix__xml_write, IX_EDOMAIN a number is
+ * not finite, IX_ENOMEM. */
+ix_status ix__x3d_write(ix_buf *b, const ix_obj *o,
+                        const ix_write_opts *w) IX_MUST_CHECK;
 
 /* --- formats that a program adds ---------------------------------------- */
 /* Appends o in a format of its own. */

@@ -26,12 +26,6 @@ static ix_status write_xml(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
     return ix__xml_write(b, o);
 }
 
-static ix_status write_x3d(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
-{
-    (void)w;
-    return ix__x3d_write(b, o);
-}
-
 /* Suffixes that mean something; without functions: known, not supported. */
 static const struct format {
     const char *suffix;
@@ -41,8 +35,8 @@ static const struct format {
     {"itd", ix__itd_read, write_itd},
     {"imd", ix__itd_read, write_itd},
     {"xml", ix__xml_read, write_xml},
-    {"x3d", NULL, write_x3d},
-    {"x3dz", NULL, write_x3d},
+    {"x3d", NULL, ix__x3d_write},
+    {"x3dz", NULL, ix__x3d_write},
     {"ibd", NULL, NULL},
     {"icd", NULL, NULL},
     {"igs", NULL, NULL},

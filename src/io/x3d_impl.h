@@ -15,6 +15,8 @@ typedef struct {
 typedef struct {
     ix_buf *b;
     size_t start;   /* length of b before */
+    double tol;     /* of lines and triangles */
+    bool pieces;    /* of a shape with poles are being written */
     int depth;      /* for indentation */
     bool nonfinite; /* some number was NaN or infinite */
     uint64_t *seen;

@@ -8,6 +8,7 @@
 
 #include "io/x3d_impl.h"
 #include "mv/mv.h"
+#include "mv/tessellate.h"
 
 /* --- into the form of X3D --------------------------------------------- */
 
@@ -140,70 +141,110 @@ static ix_status put_surface(ix__x3d *w, const char *name,
     return IX_OK;
 }
 
-/* --- curves as lines -------------------------------------------------- */
+/* --- the same as lines and triangles ---------------------------------- */
 
-/* n parameters: so many to a span, its ends included. */
-static int parameters(const ix_mv *m, int each, double *t)
+static void put_triples(ix__x3d *w, size_t n, const double *xyz)
 {
-    ix_dir dir = ix_mv_dir(m, 0);
-    int n = 0;
-
-    for (int i = dir.order - 1; i < dir.length; i++) {
-        double a = dir.knots[i], b = dir.knots[i + 1];
-
-        for (int k = 0; a < b && k < each; k++)
-            t[n++] = a + (b - a) * k / each;
+    ix__x3d_indent(w);
+    ix__buf_puts(w->b, "<Coordinate point=\"");
+    for (size_t i = 0; i < 3 * n; i++) {
+        if (i > 0)
+            ix__buf_puts(w->b, i % 3 == 0 ? ", " : " ");
+        ix__x3d_num(w, xyz[i]);
     }
-    t[n++] = dir.knots[dir.length];
-    return n;
+    ix__buf_puts(w->b, "\"/>\n");
 }
 
-static ix_status put_line(ix__x3d *w, const ix__x3d_look *look, const ix_mv *m)
+static ix_status put_lines(ix__x3d *w, const ix__x3d_look *look,
+                           const ix__lines *l)
 {
-    ix_ctx *ctx = w->b->ctx;
-    int each = ix_mv_order(m, 0) == 2 ? 1 : 8 * (ix_mv_order(m, 0) - 1);
-    size_t most = (size_t)each * (size_t)spans(m, 0) + 1, n;
-    double *t, *pts;
-
-    IX_SCRATCH(ctx, t, most);
-    IX_SCRATCH(ctx, pts, 3 * most);
-    n = (size_t)parameters(m, each, t);
-    IX_TRY(ix_mv_point_many(ctx, m, n, t, pts));
     IX_TRY(ix__x3d_shape(w, NULL, look, true));
-    ix__x3d_line(w, "<LineSet vertexCount=\"%zu\">", n);
-    w->depth++;
     ix__x3d_indent(w);
-    ix__buf_puts(w->b, "<Coordinate");
-    ix__x3d_rows(w, "point", n, 3, pts, n);
-    ix__buf_puts(w->b, "/>\n");
+    ix__buf_puts(w->b, "<LineSet vertexCount=\"");
+    for (size_t i = 0; i < l->nlines; i++)
+        ix__buf_printf(w->b, i ? " %zu" : "%zu", l->start[i + 1] - l->start[i]);
+    ix__buf_puts(w->b, "\">\n");
+    w->depth++;
+    put_triples(w, l->npts, l->xyz);
     w->depth--;
     ix__x3d_line(w, "</LineSet>");
     ix__x3d_end_shape(w);
     return IX_OK;
 }
 
-/* Both, of which a browser shows the first: choice 1 is for those that do not
- * know NURBS. */
-static ix_status put_both(ix__x3d *w, const char *name,
-                          const ix__x3d_look *look, const ix_mv *m)
+static ix_status put_mesh(ix__x3d *w, const ix__x3d_look *look,
+                          const ix__mesh *m)
 {
-    ix__x3d_line(w, "<Switch whichChoice=\"0\">");
+    IX_TRY(ix__x3d_shape(w, NULL, look, false));
+    ix__x3d_indent(w);
+    ix__buf_puts(w->b, "<IndexedTriangleSet solid=\"false\" index=\"");
+    for (size_t i = 0; i < m->ntris; i++)
+        ix__buf_printf(w->b, "%s%u %u %u", i ? ", " : "", m->tri[i][0],
+                       m->tri[i][1], m->tri[i][2]);
+    ix__buf_puts(w->b, "\">\n");
     w->depth++;
-    IX_TRY(put_curve(w, name, look, m));
-    IX_RETURN_SCOPED(w->b->ctx, put_line(w, look, m));
+    put_triples(w, m->nverts, m->xyz);
+    w->depth--;
+    ix__x3d_line(w, "</IndexedTriangleSet>");
+    ix__x3d_end_shape(w);
+    return IX_OK;
+}
+
+/* A piece beside a pole is large: 1/100 of its size will do for it. */
+static double tolerance(const ix__x3d *w, const ix_mv *m)
+{
+    double lo[3], hi[3], size = 0;
+
+    if (!w->pieces || ix_mv_bbox(w->b->ctx, m, lo, hi) != IX_OK)
+        return w->tol;
+    for (int c = 0; c < 3; c++)
+        size = fmax(size, hi[c] - lo[c]);
+    return fmax(w->tol, size / 100);
+}
+
+/* Nothing where too many points would be needed: the exact shape is there. */
+static ix_status put_approximation(ix__x3d *w, const ix__x3d_look *look,
+                                   const ix_mv *m)
+{
+    ix_ctx *ctx = w->b->ctx;
+    double tol = tolerance(w, m);
+    ix_status st;
+    ix__lines l;
+    ix__mesh t;
+
+    if (ix_mv_ndirs(m) == 1) {
+        st = ix__lines_of_crv(ctx, m, tol, &l);
+        if (st == IX_OK) {
+            st = l.nlines > 0 ? put_lines(w, look, &l) : IX_OK;
+            ix__lines_free(ctx, &l);
+        }
+    } else {
+        st = ix__mesh_of_srf(ctx, m, tol, &t);
+        if (st == IX_OK) {
+            st = t.ntris > 0 ? put_mesh(w, look, &t) : IX_OK;
+            ix__mesh_free(ctx, &t);
+        }
+    }
+    return st == IX_EUNABLE ? IX_OK : st;
 }
 
 /* --- multivariates ---------------------------------------------------- */
 
+/* Both, of which a browser shows the first: choice 1 is for those that do not
+ * know NURBS. */
 static ix_status put_prepared(ix__x3d *w, const char *name,
                               const ix__x3d_look *look, const ix_mv *m)
 {
-    if (ix_mv_ndirs(m) == 2)
-        return put_surface(w, name, look, m);
-    IX_TRY(put_both(w, name, look, m));
+    ix__x3d_line(w, "<Switch whichChoice=\"0\">");
+    w->depth++;
+    if (ix_mv_ndirs(m) == 1)
+        IX_TRY(put_curve(w, name, look, m));
+    else
+        IX_TRY(put_surface(w, name, look, m));
+    IX_TRY(put_approximation(w, look, m));
     w->depth--;
     ix__x3d_line(w, "</Switch>");
-    return IX_OK;
+    return ix__x3d_check(w);
 }
 
 static ix_status put_whole(ix__x3d *w, const char *name,
@@ -251,7 +292,8 @@ static ix_status put_pieces(ix__x3d *w, const char *name,
     ix_status st;
 
     IX_TRY(ix__mv_no_power(w->b->ctx, m, &plain));
-    if (ix_mv_has_poles(plain))
+    w->pieces = ix_mv_has_poles(plain);
+    if (w->pieces)
         ix__note(w->b->ctx,
                  "warning: %.60s is in the X3D file in pieces, without what is "
                  "near points at infinity",

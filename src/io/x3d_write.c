@@ -3,6 +3,7 @@
  * are no geometry are left out. */
 #include <string.h>
 
+#include "io/shapes.h"
 #include "io/x3d_impl.h"
 
 /* --- polygons --------------------------------------------------------- */
@@ -247,12 +248,14 @@ static ix_status put_scene(ix__x3d *w, const ix_obj *o)
     return ix__x3d_check(w);
 }
 
-ix_status ix__x3d_write(ix_buf *b, const ix_obj *o)
+ix_status ix__x3d_write(ix_buf *b, const ix_obj *o, const ix_write_opts *opts)
 {
-    ix__x3d w = {.b = b, .start = b->len};
+    ix__x3d w = {.b = b, .start = b->len, .tol = opts ? opts->tol : 0};
     ix_status st;
 
     IX_TRY(ix__obj_check_size(b->ctx, o, IX_MAX_DEPTH, IX_MAX_TEXT));
+    if (w.tol == 0)
+        IX_TRY(ix__shape_tol(b->ctx, o, &w.tol));
     st = put_scene(&w, o);
     ix__free(b->ctx, w.seen, w.cap * sizeof *w.seen);
     return st;

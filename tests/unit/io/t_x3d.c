@@ -21,7 +21,7 @@ static xmlDocPtr write_scene(ix_ctx *ctx, const ix_obj *o)
     ix_buf b;
 
     ix__buf_init(&b, ctx);
-    ASSERT_OK(ctx, ix__x3d_write(&b, o));
+    ASSERT_OK(ctx, ix__x3d_write(&b, o, NULL));
     doc = xmlReadMemory(b.data, (int)b.len, "scene", NULL, XML_PARSE_NONET);
     if (!doc)
         fail_msg("not well-formed:\n%.2000s", b.data);
@@ -227,6 +227,46 @@ static void test_poles(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Law: the lines and triangles beside a curve or surface have their points on
+ * it: those of an arc and a cylinder of radius 2 are 2 from the axis. */
+static void test_approximation(void **state)
+{
+    static const double h = 0.70710678118654757;
+    const ix_dir dirs[2] = {{IX_BEZIER, 3, 3, false, NULL},
+                            {IX_BEZIER, 2, 2, false, NULL}};
+    const double arc[] = {1, h, 1, 2, 2 * h, 0, 0, 2 * h, 2};
+    const double cylinder[] = {1,     h, 1,     1, h, 1,     2,     2 * h,
+                               0,     2, 2 * h, 0, 0, 2 * h, 2,     0,
+                               2 * h, 2, 0,     0, 0, 5,     5 * h, 5};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+
+    (void)state;
+    for (int nd = 1; nd <= 2; nd++) {
+        ix_mv *m;
+        ix_obj *o;
+        xmlDocPtr doc;
+        xmlNodePtr node;
+        double *p;
+        int n;
+
+        ASSERT_OK(ctx, ix_mv_new(ctx, nd, dirs, nd + 1, true,
+                                 nd == 1 ? arc : cylinder, &m));
+        o = ix__obj_mv(ctx, ix__obj_type_of_mv(m), m);
+        doc = write_scene(ctx, o);
+        node = find(xmlDocGetRootElement(doc),
+                    nd == 1 ? "LineSet" : "IndexedTriangleSet");
+        assert_non_null(node);
+        p = numbers(find(node->children, "Coordinate"), "point", &n);
+        assert_true(n > 12 && n % 3 == 0);
+        for (int i = 0; i < n; i += 3)
+            ASSERT_CLOSE(hypot(p[i], p[i + 1]), 2, TOL);
+        free(p);
+        xmlFreeDoc(doc);
+        ix__obj_unref(ctx, o);
+    }
+    ix_ctx_free(ctx);
+}
+
 /* --- trimmed surfaces --------------------------------------------------- */
 
 static ix_mv *square(ix_ctx *ctx, double lo, double hi, bool clockwise)
@@ -378,7 +418,7 @@ static void test_random(void **state)
         xmlDocPtr doc;
 
         ix__buf_init(&b, ctx);
-        st = ix__x3d_write(&b, o);
+        st = ix__x3d_write(&b, o, NULL);
         if (st != IX_OK && st != IX_EDOMAIN) /* overflow of wild numbers */
             fail_msg("%s", ix_ctx_message(ctx));
         doc = st == IX_OK ? xmlReadMemory(b.data, (int)b.len, "scene", NULL,
@@ -419,7 +459,7 @@ static ix_status run_write(ix_ctx *ctx, void *state)
     ix_status st;
 
     ix__buf_init(&b, ctx);
-    st = ix__x3d_write(&b, ((fault_state *)state)->in);
+    st = ix__x3d_write(&b, ((fault_state *)state)->in, NULL);
     ix__buf_free(&b);
     return st == IX_EDOMAIN ? IX_OK : st;
 }
@@ -438,10 +478,10 @@ static void test_faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_freeforms), cmocka_unit_test(test_poles),
-        cmocka_unit_test(test_loops),     cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_polygons),  cmocka_unit_test(test_random),
-        cmocka_unit_test(test_faults)};
+        cmocka_unit_test(test_freeforms),     cmocka_unit_test(test_poles),
+        cmocka_unit_test(test_approximation), cmocka_unit_test(test_loops),
+        cmocka_unit_test(test_scene),         cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_random),        cmocka_unit_test(test_faults)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
