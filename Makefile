@@ -129,6 +129,7 @@ RUN_selftest  = tests/script/selftest
 RUN_script    = tests/script/run $(B)/iritx
 RUN_golden    = tests/golden/run $(B)/iritx
 RUN_reference = tests/reference/run $(B)/iritx
+RUN_published = tests/published/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_mutate    = tests/hostile/mutate $(B)/iritx
@@ -136,7 +137,7 @@ RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_draw      = tests/draw/run $(B)/iritx
 RUN_docs      = tests/docs/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden reference roundtrip hostile mutate $(if $(MODULE),draw) \
+PARTS := unit selftest script golden reference published roundtrip hostile mutate $(if $(MODULE),draw) \
          $(if $(filter release,$(CFG)),install) docs lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -148,7 +149,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-roundtrip check-hostile check-mutate check-draw check-docs check-install: $(PROG) $(MODULE)
+check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-draw check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

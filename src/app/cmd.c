@@ -10,6 +10,9 @@ static const command commands[] = {
      "a picture (.svg .png .pdf): --net --knots --shade --fit --no-axes, "
      "--view V, --size WxH",
      cmd_draw},
+    {"degrees", "[--op NAME...] [--format text|csv|xml] FILE",
+     "degrees of all operators and forms for the curves of a file",
+     cmd_degrees},
     {"info", "FILE...", "what files hold: names, types, orders, boxes",
      cmd_info},
     {"validate", "FILE...", "checks XML files by schema and contents",

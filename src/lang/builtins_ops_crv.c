@@ -9,7 +9,6 @@
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
-#include "ops/table.h"
 
 /* The state "DegreeForm", and BspProdMethod 0 as C0 joins. */
 static ix_op_opts op_opts(const ix_call *c)
@@ -378,101 +377,6 @@ static ix_status ffreduce(ix_call *c)
     return ix__ret_mv(c, 0, out);
 }
 
-/* The arguments after the name as the operator wants them. */
-static ix_status op_args(ix_call *c, const ix_op *op, ix_op_args *out)
-{
-    int at = 1, nmvs = 0;
-
-    while (nmvs < IX_OP_MAX_MVS && op->ndirs[nmvs] > 0)
-        nmvs++;
-    if (c->argc != 1 + nmvs + op->nnums)
-        return IX_ARG_FAIL(c, 0,
-                           "%s takes %d freeform%s and %d numbers, %d "
-                           "arguments are given",
-                           op->name, nmvs, nmvs == 1 ? "" : "s", op->nnums,
-                           c->argc - 1);
-    for (int i = 0; i < nmvs; i++, at++) {
-        const ix_mv *m = ix__arg_mv(c, at);
-
-        if (!m || m->ndirs != op->ndirs[i])
-            return IX_ARG_FAIL(c, at,
-                               "a freeform with %d parameter%s is wanted",
-                               op->ndirs[i], op->ndirs[i] == 1 ? "" : "s");
-        out->mv[i] = m;
-    }
-    for (int i = 0; i < op->nnums; i++, at++) {
-        if (c->argv[at]->type != IX_OBJ_NUMBER)
-            return IX_ARG_FAIL(c, at, "a number is wanted");
-        out->num[i] = ix__arg_num(c, at);
-    }
-    return IX_OK;
-}
-
-/* list(form, list(degrees), control points, residual). */
-static ix_status degree_row(ix_call *c, const char *form, const ix_mv *m,
-                            double residual, ix_obj *row)
-{
-    ix_obj *degrees = ix__obj_list(c->ctx);
-    ix_status st = degrees ? IX_OK : IX_ENOMEM;
-
-    for (int i = 0; st == IX_OK && i < m->ndirs; i++)
-        st = ix__list_add_num(c->ctx, degrees, m->dirs[i].order - 1);
-    if (st != IX_OK) {
-        ix__obj_unref(c->ctx, degrees);
-        return st;
-    }
-    st = ix__list_add(c->ctx, row, ix__obj_string(c->ctx, form, strlen(form)));
-    if (st != IX_OK) {
-        ix__obj_unref(c->ctx, degrees);
-        return st;
-    }
-    IX_TRY(ix__list_add(c->ctx, row, degrees));
-    IX_TRY(ix__list_add_num(c->ctx, row, (double)m->npts));
-    return ix__list_add_num(c->ctx, row, residual);
-}
-
-static ix_status add_degrees(ix_call *c, const ix_op *op, const ix_op_args *a,
-                             int form, ix_obj *list)
-{
-    static const char *const names[] = {"minimal", "published", "naive",
-                                        "irit"};
-    ix_op_opts o = op_opts(c);
-    ix_report rep;
-    ix_obj *row;
-    ix_status st;
-    ix_mv *m;
-
-    o.form = (ix_degree_form)form;
-    IX_TRY(op->run(c->ctx, a, &o, &rep, &m));
-    row = ix__obj_list(c->ctx);
-    st = row ? degree_row(c, names[form], m, rep.residual, row) : IX_ENOMEM;
-    ix_mv_unref(c->ctx, m);
-    if (st == IX_OK)
-        return ix__list_add(c->ctx, list, row);
-    ix__obj_unref(c->ctx, row);
-    return st;
-}
-
-static ix_status degrees(ix_call *c)
-{
-    const ix_op *op = ix__op_find(ix__arg_str(c, 0));
-    ix_op_args a = {.mv = {NULL}};
-    ix_status st = IX_OK;
-    ix_obj *list;
-
-    if (!op)
-        return IX_ARG_FAIL(c, 0, "%s is not an operator with degree forms",
-                           ix__arg_str(c, 0));
-    IX_TRY(op_args(c, op, &a));
-    list = ix__obj_list(c->ctx);
-    if (!list)
-        return IX_ENOMEM;
-    for (int form = 0; st == IX_OK && form < 4; form++)
-        if (op->forms >> form & 1u)
-            st = add_degrees(c, op, &a, form, list);
-    return ix__ret_list(c, list, st);
-}
-
 /* --- table --------------------------------------------------------------- */
 
 #define CUBIC                                                       \
@@ -540,9 +444,4 @@ const ix_builtin ix__builtins_ops_crv[] = {
      "coefficients, common factors, knots that vanish within tol (relative; 0: "
      "rounding) are removed.",
      "e = ffreduce(evolute(circle(vector(1, 2, 0), 3)), 0);", ffreduce, 0, 18},
-    {"DEGREES", "name:str args:any... -> list",
-     "Runs an operator in all degree forms: a list of list(form, "
-     "list(degrees), "
-     "control points, residual of the definition).",
-     "l = degrees(\"evolute\", circle(vector(0, 0, 0), 1));", degrees, 0, 18},
     {0}};

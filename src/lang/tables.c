@@ -29,6 +29,7 @@ extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
 extern const ix_builtin ix__builtins_ops_crv[];
 extern const ix_builtin ix__builtins_ops_srf[];
+extern const ix_builtin ix__builtins_degrees[];
 extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_distance[];
 extern const ix_builtin ix__builtins_meet[];
@@ -73,6 +74,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_ops,
     ix__builtins_ops_crv,
     ix__builtins_ops_srf,
+    ix__builtins_degrees,
     ix__builtins_poly,
     ix__builtins_distance,
     ix__builtins_meet,

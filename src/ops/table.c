@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "iritx/ops_crv.h"
+#include "iritx/ops_srf.h"
 
 #define FIELD(fn, kind)                                                        \
     static ix_status fn(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o, \
@@ -46,7 +47,65 @@ static ix_status bisector3d(ix_ctx *ctx, const ix_op_args *a,
     return ix_cbisector3d(ctx, a->mv[0], a->mv[1], o, rep, out);
 }
 
-enum { ALL = 15, NO_IRIT = 7, NO_NAIVE = 11 };
+static ix_status gauss(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
+                       ix_report *rep, ix_mv **out)
+{
+    return ix_srf_gauss(ctx, a->mv[0], false, o, rep, out);
+}
+
+static ix_status gauss_numerator(ix_ctx *ctx, const ix_op_args *a,
+                                 const ix_op_opts *o, ix_report *rep,
+                                 ix_mv **out)
+{
+    return ix_srf_gauss(ctx, a->mv[0], true, o, rep, out);
+}
+
+static ix_status mean(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
+                      ix_report *rep, ix_mv **out)
+{
+    return ix_srf_mean(ctx, a->mv[0], false, o, rep, out);
+}
+
+static ix_status mean_numerator(ix_ctx *ctx, const ix_op_args *a,
+                                const ix_op_opts *o, ix_report *rep,
+                                ix_mv **out)
+{
+    return ix_srf_mean(ctx, a->mv[0], true, o, rep, out);
+}
+
+static ix_status total_curvature(ix_ctx *ctx, const ix_op_args *a,
+                                 const ix_op_opts *o, ix_report *rep,
+                                 ix_mv **out)
+{
+    return ix_srf_curvature(ctx, a->mv[0], IX_SRF_TOTAL, o, rep, out);
+}
+
+/* The number is the direction. */
+static ix_status srf_focal(ix_ctx *ctx, const ix_op_args *a,
+                           const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    return ix_srf_focal(ctx, a->mv[0], a->num[0] != 0.0, o, rep, out);
+}
+
+/* No report. */
+static ix_status dual(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
+                      ix_report *rep, ix_mv **out)
+{
+    (void)rep;
+    return ix_duality(ctx, a->mv[0], o, out);
+}
+
+/* The numbers are the point and the factor. */
+static ix_status orthotomic(ix_ctx *ctx, const ix_op_args *a,
+                            const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    (void)rep;
+    return ix_orthotomic(ctx, a->mv[0], a->num, a->num[3], o, out);
+}
+
+CURVE(srf_evolute, ix_srf_evolute)
+
+enum { ALL = 15, NO_IRIT = 7, NO_NAIVE = 11, ONLY_IRIT = 9, ONLY_MINIMAL = 1 };
 
 /* Fields have the names of the functions that look for their zeros; the
  * number is the op of these functions, told by two names. */
@@ -64,6 +123,17 @@ const ix_op ix__ops[] = {{"CINFLECT", {1, 0}, 0, ALL, inflection},
                          {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
                          {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
                          {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
+                         {"SGAUSS", {2, 0}, 0, ONLY_IRIT, gauss},
+                         {"SGAUSSNUM", {2, 0}, 0, ONLY_IRIT, gauss_numerator},
+                         {"SMEAN", {2, 0}, 0, ONLY_IRIT, mean},
+                         {"SMEANNUM", {2, 0}, 0, ONLY_IRIT, mean_numerator},
+                         {"SCRVTR", {2, 0}, 0, ONLY_IRIT, total_curvature},
+                         {"EVOLUTE", {2, 0}, 0, ONLY_IRIT, srf_evolute},
+                         {"SFOCAL", {2, 0}, 1, ONLY_MINIMAL, srf_focal},
+                         {"DUALITY", {1, 0}, 0, ONLY_MINIMAL, dual},
+                         {"DUALITY", {2, 0}, 0, ONLY_MINIMAL, dual},
+                         {"ORTHOTOMC", {1, 0}, 4, ONLY_MINIMAL, orthotomic},
+                         {"ORTHOTOMC", {2, 0}, 4, ONLY_MINIMAL, orthotomic},
                          {NULL, {0, 0}, 0, 0, NULL}};
 
 const ix_op *ix__op_find(const char *name)
