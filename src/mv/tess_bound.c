@@ -17,35 +17,45 @@ static size_t at(const ix__tess_box *b, int axis, int i, int j)
            (size_t)i;
 }
 
-/* Squared norm of the mixed difference of orders du, dv (0 .. 2) at i, j of
- * the axes first .. first + n - 1. */
-static double difference(const ix__tess_box *b, int first, int n, int i, int j,
-                         int du, int dv)
+/* The terms of a mixed difference of orders du, dv (together at most 2): their
+ * places relative to i, j, and factors. Returns how many there are. */
+static int stencil(const ix__tess_box *b, int du, int dv, size_t place[4],
+                   double factor[4])
 {
-    static const double stencil[3][3] = {{1, 0, 0}, {-1, 1, 0}, {1, -2, 1}};
-    double sum = 0;
+    static const double row[3][3] = {{1, 0, 0}, {-1, 1, 0}, {1, -2, 1}};
+    int n = 0;
 
-    for (int a = first; a < first + n; a++) {
-        double x = 0;
-
-        for (int q = 0; q <= dv; q++)
-            for (int p = 0; p <= du; p++)
-                x += stencil[du][p] * stencil[dv][q] *
-                     b->net[at(b, a, i + p, j + q)];
-        sum += x * x;
-    }
-    return sum;
+    for (int q = 0; q <= dv; q++)
+        for (int p = 0; p <= du; p++) {
+            place[n] = at(b, 0, p, q);
+            factor[n++] = row[du][p] * row[dv][q];
+        }
+    return n;
 }
 
-/* The largest derivative of orders du, dv of these axes. */
+/* The largest derivative of orders du, dv of n axes from the first. */
 static double largest(const ix__tess_box *b, int first, int n, int du, int dv)
 {
     int p = b->o[0] - 1, q = b->o[1] - 1;
-    double most = 0, f = 1;
+    size_t place[4], plane = (size_t)b->o[0] * (size_t)b->o[1];
+    double factor[4], most = 0, f = 1;
+    int terms = stencil(b, du, dv, place, factor);
 
     for (int j = 0; j + dv <= q; j++)
-        for (int i = 0; i + du <= p; i++)
-            most = fmax(most, difference(b, first, n, i, j, du, dv));
+        for (int i = 0; i + du <= p; i++) {
+            const double *x = b->net + at(b, first, i, j);
+            double sum = 0;
+
+            for (int a = 0; a < n; a++, x += plane) {
+                double y = 0;
+
+                for (int k = 0; k < terms; k++)
+                    y += factor[k] * x[place[k]];
+                sum += y * y;
+            }
+            if (!(sum <= most))
+                most = isnan(sum) ? HUGE_VAL : sum;
+        }
     for (int k = 0; k < du; k++)
         f *= p - k;
     for (int k = 0; k < dv; k++)

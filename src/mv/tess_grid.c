@@ -19,7 +19,8 @@ typedef struct {
     int span, depth;
     double a, b; /* in the span's [0, 1] */
     double e;    /* largest need of its boxes, the piece being [0, 1] */
-    bool split, pole;
+    int split;   /* to be halved so many times */
+    bool pole;
 } piece;
 
 typedef struct {
@@ -81,16 +82,25 @@ static double width(const gridder *g, int d, const piece *p)
 
 /* --- what each box wants ------------------------------------------------ */
 
+/* Halving makes the bounds sharper, too, so that less may do than they ask for
+ * now. */
 static void want(const gridder *g, piece *p, double e)
 {
+    double parts = sqrt(e / (4 * g->tol)), levels;
+
     p->e = fmax(p->e, e);
-    if (e > 4 * g->tol * PARTS * PARTS && p->depth < DEPTH)
-        p->split = true;
+    if (!(parts > PARTS))
+        return;
+    levels = fmax(floor(log2(parts / PARTS)) - 1, 1);
+    levels = fmin(levels, DEPTH - p->depth);
+    if (levels > p->split)
+        p->split = (int)levels;
 }
 
 static void want_small(piece *p)
 {
-    p->split = p->split || p->depth < POLE_DEPTH;
+    if (p->split == 0 && p->depth < POLE_DEPTH)
+        p->split = 1;
     p->pole = true;
 }
 
@@ -120,8 +130,15 @@ static void forget(pieces *d)
 {
     for (int i = 0; i < d->n; i++) {
         d->p[i].e = 0;
-        d->p[i].split = d->p[i].pole = false;
+        d->p[i].split = 0;
+        d->p[i].pole = false;
     }
+}
+
+static ix_status too_fine(const gridder *g)
+{
+    return IX_FAIL(g->ctx, IX_EUNABLE,
+                   "the tolerance %g would need too many points", g->tol);
 }
 
 static ix_status look_at_all(gridder *g)
@@ -129,8 +146,7 @@ static ix_status look_at_all(gridder *g)
     size_t nboxes = (size_t)g->d[0].n * (size_t)g->d[1].n, k = 0;
 
     if (nboxes > MOST_BOXES)
-        return IX_FAIL(g->ctx, IX_EUNABLE,
-                       "the tolerance %g would need too many points", g->tol);
+        return too_fine(g);
     IX_SCRATCH(g->ctx, g->pole, nboxes);
     forget(&g->d[0]);
     forget(&g->d[1]);
@@ -157,31 +173,36 @@ static ix_status first_pieces(gridder *g, int d)
     return IX_OK;
 }
 
-/* Those that are to be split become two. *more: there were such. */
+/* Piece q as 2^q->split equal ones; returns how many. */
+static int put_parts(const piece *q, piece *out)
+{
+    int n = 1 << q->split;
+
+    for (int i = 0; i < n; i++)
+        out[i] = (piece){.span = q->span,
+                         .depth = q->depth + q->split,
+                         .a = q->a + (q->b - q->a) * i / n,
+                         .b = q->a + (q->b - q->a) * (i + 1) / n};
+    return n;
+}
+
+/* *more: some piece was split. */
 static ix_status split(gridder *g, pieces *l, bool *more)
 {
-    int marked = 0, k = 0;
+    size_t total = 0;
     piece *p;
+    int k = 0;
 
     for (int i = 0; i < l->n; i++)
-        marked += l->p[i].split;
-    if (marked == 0)
+        total += (size_t)1 << l->p[i].split;
+    if (total == (size_t)l->n)
         return IX_OK;
+    if (total > MOST_BOXES)
+        return too_fine(g);
     *more = true;
-    IX_SCRATCH(g->ctx, p, l->n + marked);
-    for (int i = 0; i < l->n; i++) {
-        piece *q = &l->p[i];
-        double mid = (q->a + q->b) / 2;
-
-        if (!q->split) {
-            p[k++] = *q;
-            continue;
-        }
-        p[k++] = (piece){
-            .span = q->span, .depth = q->depth + 1, .a = q->a, .b = mid};
-        p[k++] = (piece){
-            .span = q->span, .depth = q->depth + 1, .a = mid, .b = q->b};
-    }
+    IX_SCRATCH(g->ctx, p, total);
+    for (int i = 0; i < l->n; i++)
+        k += put_parts(&l->p[i], p + k);
     *l = (pieces){k, p};
     return IX_OK;
 }

@@ -30,7 +30,7 @@
 
 typedef struct {
     int n;
-    float v[2000][3][3], normal[2000][3];
+    double v[2000][3][3], normal[2000][3];
 } soup;
 
 static ix_obj *read_itd(ix_ctx *ctx, const char *text)
@@ -39,6 +39,13 @@ static ix_obj *read_itd(ix_ctx *ctx, const char *text)
 
     ASSERT_OK(ctx, ix__itd_read(ctx, "t", text, strlen(text), &o));
     return o;
+}
+
+/* Single precision, exactly. */
+static void widen(int n, const float *x, double *out)
+{
+    for (int i = 0; i < n; i++)
+        out[i] = (double)x[i];
 }
 
 static soup parse_text(const char *s)
@@ -51,9 +58,9 @@ static soup parse_text(const char *s)
 
         if (sscanf(s, "facet normal %f %f %f", x, x + 1, x + 2) == 3) {
             assert_true(k == 0 && out.n < 2000);
-            memcpy(out.normal[out.n], x, sizeof x);
+            widen(3, x, out.normal[out.n]);
         } else if (sscanf(s, "vertex %f %f %f", x, x + 1, x + 2) == 3) {
-            memcpy(out.v[out.n][k], x, sizeof x);
+            widen(3, x, out.v[out.n][k]);
             k = (k + 1) % 3;
             out.n += k == 0;
         }
@@ -70,9 +77,12 @@ static soup parse_binary(const ix_buf *b)
     assert_int_equal(b->len, 84 + 50 * (size_t)n);
     for (out.n = 0; out.n < (int)n; out.n++) {
         const char *p = b->data + 84 + 50 * (size_t)out.n;
+        float x[12];
 
-        memcpy(out.normal[out.n], p, 12);
-        memcpy(out.v[out.n], p + 12, 36);
+        memcpy(x, p, sizeof x);
+        widen(3, x, out.normal[out.n]);
+        for (int k = 0; k < 3; k++)
+            widen(3, x + 3 + 3 * k, out.v[out.n][k]);
     }
     return out;
 }
@@ -89,13 +99,13 @@ static ix_status write_one(ix_buf *b, const char *text, double tol, bool binary)
 
 /* Distances of the middles of chords from the unit circle, and the
  * flux of (x, y, 0) through the triangles: twice base times height, 4 pi. */
-static void check_cylinder(const soup *s, double tol)
+static void check_cylinder(soup *s, double tol)
 {
     double flux = 0;
 
     assert_true(s->n > 20);
     for (int i = 0; i < s->n; i++) {
-        const float(*v)[3] = s->v[i];
+        double(*v)[3] = s->v[i];
 
         for (int k = 0; k < 3; k++) {
             double x = (v[k][0] + v[(k + 1) % 3][0]) / 2.;
@@ -161,7 +171,7 @@ static void test_polygon(void **state)
     s = parse_binary(&b);
     assert_int_equal(s.n, 4);
     for (int i = 0; i < s.n; i++) {
-        const float(*v)[3] = s.v[i];
+        double(*v)[3] = s.v[i];
         double a = ((v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) -
                     (v[1][1] - v[0][1]) * (v[2][0] - v[0][0])) /
                    2.;
