@@ -19,7 +19,7 @@ Q       := $(if $(filter 1,$(V)),,@)
 # --- packages ----------------------------------------------------------------
 # Missing Debian packages are installed once, before anything else is looked at:
 # make remakes this included stamp and starts again.
-PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libcmocka-dev libflint-dev libcairo2-dev python3
+PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libedit-dev libcmocka-dev libflint-dev libcairo2-dev python3
 PKGS     := zlib libxml-2.0
 setup: build/.setup                                 ## install missing Debian packages
 build/.setup: scripts/dev/setup Makefile
@@ -46,7 +46,10 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(if $(filter 0,$(WITH_LIBEDIT)),-DIX_NO_LIBEDIT) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+# WITH_LIBEDIT=0: a prompt without history and completion. The program loads
+# the library with the first line that it asks for; only its header is needed.
+WITH_LIBEDIT ?= 1
 # Exact arithmetic in tests only, as an independent truth; left out if absent.
 FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
@@ -133,11 +136,12 @@ RUN_published = tests/published/run $(B)/iritx
 RUN_roundtrip = tests/roundtrip/run $(B)/iritx
 RUN_hostile   = tests/hostile/run $(B)/iritx
 RUN_mutate    = tests/hostile/mutate $(B)/iritx
+RUN_prompt    = WITH_LIBEDIT=$(WITH_LIBEDIT) tests/prompt/run $(B)/iritx
 RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_draw      = tests/draw/run $(B)/iritx
 RUN_docs      = tests/docs/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden reference published roundtrip hostile mutate $(if $(MODULE),draw) \
+PARTS := unit selftest script golden reference published roundtrip hostile mutate prompt $(if $(MODULE),draw) \
          $(if $(filter release,$(CFG)),install) docs lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -149,7 +153,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-draw check-docs check-install: $(PROG) $(MODULE)
+check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-prompt check-draw check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

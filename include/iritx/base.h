@@ -69,6 +69,14 @@ void ix_ctx_set_threads(ix_ctx *ctx, int n);
  * it from a signal handler). The flag must outlive the context; NULL: none. */
 void ix_ctx_set_cancel(ix_ctx *ctx, const volatile int *flag);
 
+/* Called now and then during long computations, at most ten times a second:
+ * what is being computed (a function's name, "" if it has none) and which part
+ * of it is done, 0 .. 1, negative if that is not known. what NULL: something
+ * else is about to be written, what was shown should vanish. fn NULL (the
+ * default): nobody watches. */
+typedef void (*ix_progress_fn)(void *ud, const char *what, double part);
+void ix_ctx_set_progress(ix_ctx *ctx, ix_progress_fn fn, void *ud);
+
 /* Called with each remark that does not stop a computation ("weights change
  * sign"). NULL (the default): remarks are dropped. */
 typedef void (*ix_note_fn)(void *ud, const char *text);

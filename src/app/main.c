@@ -13,6 +13,7 @@
 #include "app/listing.h"
 #include "app/options.h"
 #include "app/picture.h"
+#include "app/progress.h"
 #include "app/prompt.h"
 
 #define DEFAULT_MEMORY ((size_t)1 << 30)
@@ -64,6 +65,7 @@ static void fill_streams(void)
 
 static ix_status complain(ix_ctx *ctx, ix_status st)
 {
+    ix__progress_clear(ctx);
     (void)fprintf(stderr, "iritx: error: %s\n", ix_ctx_message(ctx));
     return st;
 }
@@ -133,12 +135,21 @@ static ix_status save_viewed(ix_interp *in, const char *name)
 
 static int run(ix_ctx *ctx, const options *o)
 {
+    prompt person = {.cancel = &cancel};
+    ix_interp_opts opts = o->interp;
     ix_interp *in;
-    ix_status st = ix__interp_new(ctx, &o->interp, &in);
+    ix_status st;
     int errors;
 
+    if (prompt_wanted()) {
+        opts.read_line = prompt_line;
+        opts.show_value = prompt_show;
+        opts.read_ud = &person;
+    }
+    st = ix__interp_new(ctx, &opts, &in);
     if (st != IX_OK)
         return complain(ctx, st) != IX_OK;
+    person.in = in;
     ix__states(in)->degree_form = o->degree_form;
     st = define_all(in, o);
     if (st != IX_OK)
@@ -151,6 +162,7 @@ static int run(ix_ctx *ctx, const options *o)
             (void)complain(ctx, st);
     }
     errors = ix__interp_errors(in);
+    prompt_end(&person);
     ix__interp_free(in);
     return st != IX_OK || errors;
 }
@@ -180,7 +192,9 @@ static int run_with_context(const options *o)
     ix_ctx_set_memory_limit(ctx, o->max_memory);
     ix_ctx_set_threads(ctx, o->threads);
     ix_ctx_set_cancel(ctx, &cancel);
+    progress_watch(ctx);
     rc = o->task == DO_COMMAND ? run_command(ctx, o) : run(ctx, o);
+    ix_ctx_set_progress(ctx, NULL, NULL);
     ix_ctx_free(ctx);
     return rc;
 }
@@ -231,10 +245,6 @@ int main(int argc, char **argv)
 
     fill_streams();
     set_signals();
-    if (prompt_wanted()) {
-        o.interp.read_line = prompt_line;
-        o.interp.read_ud = (void *)(uintptr_t)&cancel;
-    }
     picture_register();
     (void)setvbuf(stdout, buffer, _IOFBF, sizeof buffer);
     o.interp.include_path = getenv("IRIT_INCLUDE");

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "base/threads.h"
 
@@ -119,8 +120,50 @@ void ix_ctx_set_note(ix_ctx *ctx, ix_note_fn fn, void *ud)
     ctx->note_ud = ud;
 }
 
+/* --- progress
+ * ---------------------------------------------------------------------- */
+
+#define PROGRESS_INTERVAL 0.1 /* seconds; faster nobody can read */
+
+void ix_ctx_set_progress(ix_ctx *ctx, ix_progress_fn fn, void *ud)
+{
+    ix__progress_clear(ctx);
+    ctx->progress = fn;
+    ctx->progress_ud = ud;
+    ctx->part = -1;
+}
+
+void ix__progress(ix_ctx *ctx, const char *what, double part)
+{
+    ctx->doing = what;
+    ctx->part = part;
+}
+
+void ix__progress_clear(ix_ctx *ctx)
+{
+    if (ctx->progress_shown)
+        ctx->progress(ctx->progress_ud, NULL, -1);
+    ctx->progress_shown = false;
+}
+
+static void tell_progress(ix_ctx *ctx)
+{
+    struct timespec t;
+    double now;
+
+    (void)clock_gettime(CLOCK_MONOTONIC, &t);
+    now = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    if (now < ctx->next_progress)
+        return;
+    ctx->next_progress = now + PROGRESS_INTERVAL;
+    ctx->progress_shown = true;
+    ctx->progress(ctx->progress_ud, ctx->doing ? ctx->doing : "", ctx->part);
+}
+
 ix_status ix__poll(ix_ctx *ctx)
 {
+    if (ctx->progress)
+        tell_progress(ctx);
     if (ctx->cancel && *ctx->cancel)
         return IX_FAIL(ctx, IX_ECANCEL, "interrupted");
     return IX_OK;

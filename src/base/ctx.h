@@ -27,6 +27,12 @@ struct ix_ctx {
     const volatile int *cancel;
     ix_note_fn note;
     void *note_ud;
+    ix_progress_fn progress;
+    void *progress_ud;
+    const char *doing;    /* what is being computed; NULL: nothing named */
+    double part;          /* of it that is done; negative: not known */
+    double next_progress; /* seconds of the clock when to tell again */
+    bool progress_shown;
     int nthreads; /* 0: one per processor */
     ix__pool *pool;
     void *free_list; /* value boxes kept for reuse, see object/object.c */
@@ -62,6 +68,12 @@ void *ix__scratch_zero(ix_ctx *ctx, size_t n, size_t size) IX_MUST_CHECK;
 /* IX_ECANCEL (with its message) once the cancel flag is set; call it at least
  * every few milliseconds of work, from the context's own thread. */
 ix_status ix__poll(ix_ctx *ctx) IX_MUST_CHECK;
+
+/* What is computed from now on, a text with a long life or NULL, and which part
+ * of it is done (negative: not known): for ix_ctx_set_progress. */
+void ix__progress(ix_ctx *ctx, const char *what, double part);
+/* What was shown of the progress vanishes: something else is to be written. */
+void ix__progress_clear(ix_ctx *ctx);
 
 /* Record the error and yield the literal status, so that a static analyser
  * sees that the caller cannot be told IX_OK. */

@@ -72,13 +72,23 @@ ix_status ix__dump_value(ix_interp *in, const ix_obj *o, ix_buf *b)
     return dump_checked(in, o, o->refs, b);
 }
 
+/* The short text for a person at the prompt. */
+static bool shown_shortly(ix_interp *in, const ix_obj *o, ix_buf *b)
+{
+    const ix_interp_opts *opt = &in->opt;
+
+    return in->rd && in->rd->prompting && !in->out && opt->show_value &&
+           opt->show_value(opt->read_ud, o, b);
+}
+
 ix_status ix__print_value(ix_interp *in, const ix_obj *o, int refs)
 {
     ix_buf *b = &in->text;
     ix_status st;
 
     ix__buf_clear(b);
-    st = dump_checked(in, o, refs, b);
+    st = shown_shortly(in, o, b) ? ix__buf_check(b)
+                                 : dump_checked(in, o, refs, b);
     if (st == IX_OK)
         ix__out(in, b->data ? b->data : "", b->len);
     if (b->cap > KEEP)

@@ -271,7 +271,9 @@ static ix_status invoke(ix_interp *in, ix__node *n, ix_obj **argv, ix__val *v)
 
     IX_TRY(check_types(in, n, argv));
     in->here = n->pos;
+    ix__progress(in->ctx, n->u.bi->row->name, in->ctx->part);
     st = n->u.bi->row->fn(&c);
+    ix__progress(in->ctx, NULL, in->ctx->part);
     if (st != IX_OK) {
         ix__obj_unref(in->ctx, c.result);
         return call_failed(in, n, &c, st);

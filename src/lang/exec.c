@@ -209,13 +209,20 @@ static ix_status loop_step(ix_interp *in, const ix__node *n, loop *l)
 
 static ix_status for_statement(ix_interp *in, ix__node *n)
 {
+    bool outer = !(in->ctx->part >= 0); /* its rounds are the progress */
+    double first;
     loop l;
 
     IX_TRY(loop_begin(in, n, &l));
+    first = l.value;
     while (loop_goes_on(&l)) {
+        if (outer)
+            ix__progress(in->ctx, NULL, (l.value - first) / (l.end - first));
         IX_TRY(ix__exec(in, n->kid[3])); /* counts the step */
         IX_TRY(loop_step(in, n, &l));
     }
+    if (outer)
+        ix__progress(in->ctx, NULL, -1);
     return IX_OK;
 }
 

@@ -132,6 +132,8 @@ static ix_status run_statement(ix_interp *in, ix__reader *rd, bool dynamic,
     in->spare = NULL;
     if (!u)
         return IX_ENOMEM;
+    if (!in->nframes)
+        ix__progress(in->ctx, NULL, -1);
     st = one_statement(in, rd, u, dynamic, end);
     in->unit = outer;
     in->here = here;

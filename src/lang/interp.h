@@ -27,6 +27,9 @@ typedef struct {
      * clears the flag). NULL: "-" is standard input, in batch. */
     bool (*read_line)(void *ud, bool more, ix_buf *line);
     void *read_ud;
+    /* How a value that a person's statement gives is shown: appends the text
+     * to b. False: as in batch. NULL: always so. */
+    bool (*show_value)(void *ud, const ix_obj *o, ix_buf *b);
 } ix_interp_opts;
 
 ix_status ix__interp_new(ix_ctx *ctx, const ix_interp_opts *o,

@@ -98,6 +98,10 @@ static bool typed_line(ix__reader *rd, ix__source *s)
 
     ix__flush(rd->in);
     ix__buf_clear(b);
+    if (!rd->inside) { /* limits are those of a statement */
+        rd->in->nshown = 0;
+        rd->in->step = 0;
+    }
     s->at_end = !o->read_line(o->read_ud, rd->inside, b);
     for (size_t i = 0; i < b->len; i++)
         add_char(rd, (unsigned char)b->data[i]);

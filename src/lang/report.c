@@ -19,6 +19,8 @@ void ix__out(ix_interp *in, const char *s, size_t n)
 {
     FILE *f = in->out ? in->out : stdout;
 
+    if (!in->out)
+        ix__progress_clear(in->ctx);
     if (n && fwrite(s, 1, n, f) != n)
         in->out_errno = errno;
     if (in->log && in->log_on && !in->out)
@@ -27,6 +29,7 @@ void ix__out(ix_interp *in, const char *s, size_t n)
 
 void ix__flush(ix_interp *in)
 {
+    ix__progress_clear(in->ctx);
     if (fflush(stdout) != 0)
         in->out_errno = errno;
 }

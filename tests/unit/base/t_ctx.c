@@ -98,6 +98,47 @@ static void test_cancel(void **state)
     ix_ctx_free(ctx);
 }
 
+typedef struct {
+    int told, cleared;
+    char what[16];
+    double part;
+} watcher;
+
+static void watch(void *ud, const char *what, double part)
+{
+    watcher *w = ud;
+
+    if (!what) {
+        w->cleared++;
+        return;
+    }
+    w->told++;
+    w->part = part;
+    (void)snprintf(w->what, sizeof w->what, "%s", what);
+}
+
+/* A watcher is told what goes on, and not at every poll. */
+static void test_progress(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    watcher w = {0};
+
+    (void)state;
+    ix_ctx_set_progress(ctx, watch, &w);
+    ix__progress(ctx, "ROOTS", 0.5);
+    ix__progress_clear(ctx); /* nothing was shown */
+    assert_int_equal(w.cleared, 0);
+    for (int i = 0; i < 1000; i++)
+        ASSERT_OK(ctx, ix__poll(ctx));
+    assert_in_range(w.told, 1, 10); /* ten a second */
+    assert_string_equal(w.what, "ROOTS");
+    assert_true(w.part == 0.5);
+    ix_ctx_set_progress(ctx, NULL, NULL);
+    assert_int_equal(w.cleared, 1);
+    ASSERT_OK(ctx, ix__poll(ctx));
+    ix_ctx_free(ctx);
+}
+
 static void test_strings(void **state)
 {
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
@@ -146,10 +187,10 @@ static void test_out_of_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_messages),     cmocka_unit_test(test_names),
-        cmocka_unit_test(test_notes),        cmocka_unit_test(test_cancel),
-        cmocka_unit_test(test_memory_limit), cmocka_unit_test(test_strings),
-        cmocka_unit_test(test_out_of_memory)};
+        cmocka_unit_test(test_messages), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_notes),    cmocka_unit_test(test_cancel),
+        cmocka_unit_test(test_progress), cmocka_unit_test(test_memory_limit),
+        cmocka_unit_test(test_strings),  cmocka_unit_test(test_out_of_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
