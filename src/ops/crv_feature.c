@@ -190,7 +190,7 @@ static int outward(const curvature *k, double t, int s)
 
 static ix_crv_mark mark_of(const curvature *k, const ix_root *r)
 {
-    int a = outward(k, nextafter(r->lo, -INFINITY), r->before);
+    int a = outward(k, nextafter(r->lo, -HUGE_VAL), r->before);
     int b = outward(k, r->hi, r->after);
 
     if (r->before == 0)
@@ -261,7 +261,7 @@ static ix_status collect(ix_ctx *ctx, const ix_mv *crv, const curvature *k,
         } else {
             *x = (ix_crv_feature){*r, mark_of(k, r), 0.0};
             if (ix_crv_curvature(ctx, crv, r->t, &x->curvature) != IX_OK)
-                x->curvature = NAN; /* a cusp or a pole */
+                x->curvature = (double)NAN; /* a cusp or a pole */
         }
         nb++;
     }

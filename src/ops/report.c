@@ -16,7 +16,7 @@ void ix__report_init(ix_report *rep, ix_degree_form form, const ix_mv *result)
     *rep = (ix_report){.form = form, .ndirs = ix_mv_ndirs(result)};
     for (int i = 0; i < rep->ndirs; i++)
         rep->orders[i] = ix_mv_order(result, i);
-    rep->residual = NAN;
+    rep->residual = (double)NAN;
     rep->how = "not measured";
 }
 

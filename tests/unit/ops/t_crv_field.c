@@ -41,7 +41,7 @@ static const degrees table[] = {
 static double bound(ix_crv_field_kind kind, int form)
 {
     if (kind == IX_CRV_CRITICAL && form > 1)
-        return INFINITY;
+        return HUGE_VAL;
     return form < 2 ? 1e-9 : 1e-8;
 }
 

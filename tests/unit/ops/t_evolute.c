@@ -49,10 +49,46 @@ static void definition_holds(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Law: the centre of curvature moves along the normal, E'.x' = 0, with the
+ * rate of the radius, |E'| = |(1/kappa)'| (by central differences, which are
+ * good to about 1e-6). */
+static void velocity_of_the_centre(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(78);
+
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        crv_kind k = {3, 2, i & 1, 0, 0, 0};
+        ix_mv *c = rand_crv(ctx, &r, &k), *e;
+
+        ASSERT_OK(ctx, ix_evolute(ctx, c, NULL, NULL, &e));
+        for (int j = 0; j < 5; j++) {
+            double t = (j + 0.5) / 5, h = 1e-5, x[4], v[4], a, b, rate, speed;
+
+            ASSERT_OK(ctx, ix_mv_curve_derivs(ctx, c, t, 1, x));
+            ASSERT_OK(ctx, ix_mv_curve_derivs(ctx, e, t, 1, v));
+            ASSERT_OK(ctx, ix_crv_curvature(ctx, c, t - h, &a));
+            ASSERT_OK(ctx, ix_crv_curvature(ctx, c, t + h, &b));
+            rate = fabs(1 / b - 1 / a) / (2 * h);
+            speed = hypot(v[2], v[3]);
+            if (!(fabs(x[2] * v[2] + x[3] * v[3]) <=
+                  1e-9 * hypot(x[2], x[3]) * speed))
+                fail_msg("curve %d at %g: not along the normal", i, t);
+            if (!(fabs(rate - speed) <= 1e-4 * (1 + speed)))
+                fail_msg("curve %d at %g: %g, %g", i, t, speed, rate);
+        }
+        ix_mv_unref(ctx, c);
+        ix_mv_unref(ctx, e);
+    }
+    ix_ctx_free(ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(definition_holds),
+        cmocka_unit_test(velocity_of_the_centre),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
