@@ -1,5 +1,6 @@
-/* stl.c - triangles for printing: text (.stl) and binary (.bstl). Faces are
- * counter-clockwise seen from the side to which the surface's normal points. */
+/* stl.c - triangles for printing: text (.stl) and binary (.bstl). Faces of
+ * surfaces are counter-clockwise seen from where S_u x S_v points, which is
+ * outside for solids whose normals, S_v x S_u as in scripts, point inside. */
 #include <math.h>
 #include <string.h>
 
