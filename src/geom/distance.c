@@ -356,7 +356,7 @@ static ix_status far_search(work *w)
 /* How far the two parts are apart along the line between their middles. */
 static double apart(const work *w, const part *a, const part *b)
 {
-    double d = dist(a->mid, b->mid), lo = INFINITY, hi = -INFINITY, v[3];
+    double d = dist(a->mid, b->mid), lo = HUGE_VAL, hi = -HUGE_VAL, v[3];
 
     if (!(d > 0))
         return 0;

@@ -273,7 +273,7 @@ static void antipodal(void **state)
 static void line_and_surface(void **state)
 {
     double p[3] = {0.5, 0, 3}, dir[3] = {0, 2, 0}, uv[2], d, h[16];
-    double best = INFINITY;
+    double best = HUGE_VAL;
     ix_mv *a;
 
     (void)state;
@@ -317,7 +317,7 @@ static void curve_distances(void **state)
     (void)state;
     for (int round = 0; round < 12; round++) {
         ix_mv *a = random_curve(round), *b = random_curve(round);
-        double least = INFINITY, most = 0, p[3], q[3];
+        double least = HUGE_VAL, most = 0, p[3], q[3];
         ix_distance near, far;
 
         ASSERT_OK(ctx, ix_distance_least(ctx, a, b, &near));
