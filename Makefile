@@ -180,6 +180,20 @@ bench: $(call bin,$(BENCH_SRC))                     ## timings, as one table
 demo: all                                           ## run scripts/demo.irt
 	@scripts/dev/demo $(B)/iritx
 
+# The viewer of "iritx view": an X3D browser in one script, from npm.
+X_ITE := 15.0.1
+WEB   := build/web/iritx_view.js
+web: $(WEB)                                         ## the viewer for "iritx view", from npm
+build/web/x_ite-$(X_ITE).tgz:
+	@mkdir -p $(@D); command -v npm >/dev/null || { echo "make web: npm is not installed"; exit 1; }
+	$(Q)cd $(@D) && npm pack --silent x_ite@$(X_ITE)
+$(WEB): build/web/x_ite-$(X_ITE).tgz scripts/dev/bundle_viewer
+	$(Q)rm -rf build/web/package && tar -xzf $< -C build/web && scripts/dev/bundle_viewer build/web/package $@
+	$(Q)rm -rf build/web/package
+check-web: $(PROG) $(WEB)                           ## the page of "iritx view" in headless Chromium
+	@tests/harness/check "tests/web/run $(B)/iritx"
+.PHONY: web check-web
+
 # --- installing --------------------------------------------------------------
 D := $(DESTDIR)$(PREFIX)
 install: all                                        ## into PREFIX (/usr/local), below DESTDIR
@@ -194,6 +208,7 @@ install: all                                        ## into PREFIX (/usr/local),
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|' \
 	 scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
 	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx
+	[ ! -e $(WEB) ] || install -m 644 $(WEB) $(D)/share/iritx
 	for f in scripts/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
 uninstall:                                          ## remove what "install" put there
 	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc

@@ -15,6 +15,8 @@ static const command commands[] = {
      cmd_degrees},
     {"info", "FILE...", "what files hold: names, types, orders, boxes",
      cmd_info},
+    {"view", "FILE... -o PAGE", "a page that shows geometry in a browser",
+     cmd_view},
     {"validate", "FILE...", "checks XML files by schema and contents",
      cmd_validate},
 };

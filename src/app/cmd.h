@@ -27,6 +27,7 @@ int cmd_wrong_usage(const char *name);
 int cmd_convert(ix_ctx *ctx, int argc, char **argv);
 int cmd_draw(ix_ctx *ctx, int argc, char **argv);
 int cmd_degrees(ix_ctx *ctx, int argc, char **argv);
+int cmd_view(ix_ctx *ctx, int argc, char **argv);
 int cmd_info(ix_ctx *ctx, int argc, char **argv);
 int cmd_validate(ix_ctx *ctx, int argc, char **argv);
 
