@@ -152,6 +152,18 @@ ix_status ix_solve_curves(ix_ctx *ctx, int neq, const ix_equation *eq,
                           ix_solution_curves *out) IX_MUST_CHECK;
 void ix_solution_curves_free(ix_ctx *ctx, ix_solution_curves *c);
 
+/* Moves x[unknowns] onto the solution set of neq equations (1 .. unknowns) by
+ * Newton steps of least length, inside the domain: a vertex of a solution curve
+ * after it was interpolated, or a start value of one's own.
+ *
+ * Err   IX_EARG     more equations than unknowns
+ *       IX_EDOMAIN  x is outside the domain
+ *       IX_EUNABLE  no convergence (x is the last point), or the gradients are
+ *                   dependent there
+ * Num   a regular point is reached to a few units in the last place */
+ix_status ix_solve_refine(ix_ctx *ctx, int neq, const ix_equation *eq,
+                          double *x) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -48,6 +48,15 @@ static double value(int d, const double *b, double t)
     return w[0];
 }
 
+static int total(const ix__poly_roots *r)
+{
+    int n = 0;
+
+    for (int i = 0; i < r->n; i++)
+        n += r->root[i].count;
+    return n;
+}
+
 #ifdef IX_HAVE_FLINT
 /* Positive roots of sum C(d,i) b_i x^i, x = t / (1 - t): the distinct roots in
  * (0, 1), counted by Sturm's theorem in integers; -1 if not squarefree. */
@@ -73,15 +82,6 @@ static long exact_count(int d, const int *b)
     fmpz_clear(c);
     fmpz_poly_clear(p);
     return pos;
-}
-
-static int total(const ix__poly_roots *r)
-{
-    int n = 0;
-
-    for (int i = 0; i < r->n; i++)
-        n += r->root[i].count;
-    return n;
 }
 
 /* Law: the number of roots is the exact one, each enclosed by opposite signs,
@@ -175,6 +175,34 @@ static void close_pair(void **state)
 
     (void)state;
     expect_simple(3, r, 1e-9);
+}
+
+/* Mignotte's x^n - 2 (a x - 1)^2: two roots within 2 a^-(n+2)/2 of 1/a. Both
+ * are found, or they are one cluster of two where the rounding of the
+ * coefficients decides; never one, never three. */
+static void mignotte(void **state)
+{
+    const double a = 8;
+
+    (void)state;
+    for (int n = 3; n <= 21; n += 3) {
+        ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+        ix__poly_roots f;
+        double b[32];
+
+        for (int i = 0; i <= n; i++) {
+            /* x = sum (i/n) B_i, x^2 = sum i (i-1) / (n (n-1)) B_i */
+            double x = (double)i / n, xx = i * (i - 1.0) / (n * (n - 1.0));
+
+            b[i] = -2 * (a * a * xx - 2 * a * x + 1) + (i == n);
+        }
+        /* the coefficients are rounded: about 300 units of 1e-16 */
+        ASSERT_OK(ctx, ix__poly_roots_find(ctx, n, b, 3e-14, &f));
+        assert_int_equal(total(&f), 2);
+        for (int i = 0; i < f.n; i++)
+            ASSERT_CLOSE(f.root[i].s, 1 / a, 2 * pow(a, -(n + 2) / 2.0) + 1e-8);
+        ix_ctx_free(ctx);
+    }
 }
 
 /* (t - 0.5)^2 (t - 0.125) with exact coefficients: a touching zero. */
@@ -298,10 +326,10 @@ int main(void)
         cmocka_unit_test(counts_are_exact),
 #endif
         cmocka_unit_test(wilkinson),        cmocka_unit_test(chebyshev),
-        cmocka_unit_test(close_pair),       cmocka_unit_test(double_root),
-        cmocka_unit_test(triple_root),      cmocka_unit_test(roots_at_ends),
-        cmocka_unit_test(vanishing),        cmocka_unit_test(high_order),
-        cmocka_unit_test(out_of_memory)};
+        cmocka_unit_test(close_pair),       cmocka_unit_test(mignotte),
+        cmocka_unit_test(double_root),      cmocka_unit_test(triple_root),
+        cmocka_unit_test(roots_at_ends),    cmocka_unit_test(vanishing),
+        cmocka_unit_test(high_order),       cmocka_unit_test(out_of_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
