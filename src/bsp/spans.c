@@ -58,7 +58,7 @@ ix_status ix__spans_union(ix_ctx *ctx, const ix_spans *a, const ix_spans *b,
         if (y <= x + tol)
             cb = b->cont[j++ - 1];
         cont[n] = ca < cb ? ca : cb;
-        breaks[++n] = ca < INT_MAX ? x : y;
+        breaks[++n] = x <= y + tol ? x : y;
     }
     breaks[++n] = hi;
     *out = (ix_spans){degree, n, breaks, cont};

@@ -236,6 +236,27 @@ static void breaks_and_continuity(void **state)
     ix__scratch_release(ctx, mk);
 }
 
+/* Breaks at which nothing is known to jump stay where they are. */
+static void union_of_smooth_breaks(void **state)
+{
+    const double ba[] = {0, 1, 4}, bb[] = {0, 2, 4};
+    const double breaks[] = {0, 1, 2, 4};
+    const int smooth[] = {INT_MAX};
+    const ix_spans a = {3, 2, ba, smooth}, b = {3, 2, bb, smooth};
+    const ix_spans none = {3, 1, (const double[]){0, 4}, smooth};
+    ix_mark mk = ix__scratch_mark(ctx);
+    ix_spans both;
+
+    (void)state;
+    ASSERT_OK(ctx, ix__spans_union(ctx, &a, &b, 3, &both));
+    assert_int_equal(both.nspans, 3);
+    assert_memory_equal(both.breaks, breaks, sizeof breaks);
+    ASSERT_OK(ctx, ix__spans_union(ctx, &a, &none, 3, &both));
+    assert_int_equal(both.nspans, 2);
+    assert_memory_equal(both.breaks, ba, sizeof ba);
+    ix__scratch_release(ctx, mk);
+}
+
 static void power_is_refused(void **state)
 {
     const ix_dir p = {IX_POWER, 2, 2, false, NULL};
@@ -286,6 +307,7 @@ int main(void)
         cmocka_unit_test(smooth_high_order_compose),
         cmocka_unit_test(compose_avoids_short_spans),
         cmocka_unit_test(breaks_and_continuity),
+        cmocka_unit_test(union_of_smooth_breaks),
         cmocka_unit_test(power_is_refused),
         cmocka_unit_test(out_of_memory),
     };
