@@ -11,6 +11,7 @@
 #include <cairo.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "io/scene.h"
@@ -61,25 +62,63 @@ static ix_status project(picture *d)
     return IX_OK;
 }
 
-static void bounds(const picture *d, double lo[3], double hi[3])
+static int compare(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+#define FAR 20 /* times the distance within which three quarters lie */
+
+/* How far from the middle points count for coordinate c: a surface that runs
+ * through infinity shall not shrink all the rest to a dot. */
+static ix_status reach(const picture *d, int c, double *mid, double *far)
+{
+    size_t n = d->scene.npts;
+    double *v;
+
+    IX_SCRATCH(d->ctx, v, n);
+    for (size_t i = 0; i < n; i++)
+        v[i] = d->p[i][c];
+    qsort(v, n, sizeof *v, compare);
+    *mid = v[n / 2];
+    for (size_t i = 0; i < n; i++)
+        v[i] = fabs(d->p[i][c] - *mid);
+    qsort(v, n, sizeof *v, compare);
+    *far = v[n - 1 - n / 4] > 0 ? FAR * v[n - 1 - n / 4] : HUGE_VAL;
+    return IX_OK;
+}
+
+static ix_status bounds(const picture *d, double lo[3], double hi[3])
 {
     for (int c = 0; c < 3; c++) {
+        double mid, far;
+
         lo[c] = HUGE_VAL;
         hi[c] = -HUGE_VAL;
+        IX_TRY(reach(d, c, &mid, &far));
+        for (size_t i = 0; i < d->scene.npts; i++)
+            if (fabs(d->p[i][c] - mid) <= far) {
+                lo[c] = fmin(lo[c], d->p[i][c]);
+                hi[c] = fmax(hi[c], d->p[i][c]);
+            }
     }
-    for (size_t i = 0; i < d->scene.npts; i++)
-        for (int c = 0; c < 3; c++) {
-            lo[c] = fmin(lo[c], d->p[i][c]);
-            hi[c] = fmax(hi[c], d->p[i][c]);
-        }
+    return IX_OK;
+}
+
+/* Cairo counts in 24 bits before the point. */
+static double pixel(double x)
+{
+    return fmin(fmax(x, -1e5), 1e5);
 }
 
 /* The content fills the picture, or the picture takes its shape. */
-static void place(picture *d)
+static ix_status place(picture *d)
 {
     double lo[3], hi[3], ex, ey, left = d->plane ? MARGIN + 14 : MARGIN;
 
-    bounds(d, lo, hi);
+    IX_TRY(bounds(d, lo, hi));
     ex = fmax(hi[0] - lo[0], 1e-12 * fmax(fabs(lo[0]), 1e-300));
     ey = fmax(hi[1] - lo[1], 1e-12 * fmax(fabs(lo[1]), 1e-300));
     ex = fmax(ex, 1e-6 * ey);
@@ -92,12 +131,13 @@ static void place(picture *d)
     d->dx = left + 0.5 * (d->w - left - MARGIN - d->scale * (lo[0] + hi[0]));
     d->dy = 0.5 * (d->h + d->scale * (lo[1] + hi[1]));
     for (size_t i = 0; i < d->scene.npts; i++) {
-        d->p[i][0] = d->dx + d->scale * d->p[i][0];
-        d->p[i][1] = d->dy - d->scale * d->p[i][1];
+        d->p[i][0] = pixel(d->dx + d->scale * d->p[i][0]);
+        d->p[i][1] = pixel(d->dy - d->scale * d->p[i][1]);
         d->p[i][2] *= d->scale; /* one unit for all three: light needs it */
     }
     d->far = lo[2] * d->scale;
     d->near = hi[2] * d->scale;
+    return IX_OK;
 }
 
 static ix_status fill_raster(picture *d)
@@ -392,7 +432,7 @@ static ix_status make(ix_ctx *ctx, const ix_obj *o, const draw_opts *opts,
     d.w = opts->width > 0 ? opts->width : 900;
     d.h = opts->height > 0 ? opts->height : 700;
     IX_TRY(project(&d));
-    place(&d);
+    IX_TRY(place(&d));
     IX_TRY(fill_raster(&d));
     return render(&d, out);
 }

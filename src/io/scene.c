@@ -304,6 +304,16 @@ static ix_status net_of_surface(builder *b, const ix_mv *m, const style *st)
     return IX_OK;
 }
 
+/* All three are finite and on one side of the pole; weights are axis 0. */
+static bool one_piece(const ix_mv *m, const double *h, const size_t *id,
+                      size_t a, size_t b, size_t c)
+{
+    if (id[a] == SIZE_MAX || id[b] == SIZE_MAX || id[c] == SIZE_MAX)
+        return false;
+    return !ix_mv_rational(m) ||
+           ((h[a] > 0) == (h[b] > 0) && (h[b] > 0) == (h[c] > 0));
+}
+
 static ix_status add_mesh(builder *b, const ix_mv *m, const style *st)
 {
     ix_ctx *ctx = b->s->ctx;
@@ -331,13 +341,13 @@ static ix_status add_mesh(builder *b, const ix_mv *m, const style *st)
     }
     for (int j = 0; j + 1 < n[1]; j++)
         for (int i = 0; i + 1 < n[0]; i++) {
-            const size_t *q = id + (size_t)j * (size_t)n[0] + (size_t)i;
-            const size_t *r = q + n[0];
+            size_t q = (size_t)j * (size_t)n[0] + (size_t)i;
+            size_t r = q + (size_t)n[0];
 
-            if (q[0] != SIZE_MAX && q[1] != SIZE_MAX && r[1] != SIZE_MAX)
-                IX_TRY(add_triangle(b->s, st, q[0], q[1], r[1]));
-            if (q[0] != SIZE_MAX && r[1] != SIZE_MAX && r[0] != SIZE_MAX)
-                IX_TRY(add_triangle(b->s, st, q[0], r[1], r[0]));
+            if (one_piece(m, h, id, q, q + 1, r + 1))
+                IX_TRY(add_triangle(b->s, st, id[q], id[q + 1], id[r + 1]));
+            if (one_piece(m, h, id, q, r + 1, r))
+                IX_TRY(add_triangle(b->s, st, id[q], id[r + 1], id[r]));
         }
     return IX_OK;
 }

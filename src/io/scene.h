@@ -50,9 +50,9 @@ typedef struct {
     double tol;      /* chord error, as a part of the scene's size; 0: 1e-3 */
 } ix_scene_opts;
 
-/* Adds everything that o holds. Attributes color, rgb, width, dwidth and
- * invisible of an object pass on to the elements of a list. Points at infinity
- * and beyond 1e6 times the median size end a path. */
+/* Adds everything that o holds. Attributes color, rgb, dwidth and invisible of
+ * an object pass on to the elements of a list. Points at infinity end a path.
+ * Err IX_EARG lists nested too deep. */
 ix_status ix__scene_build(ix_ctx *ctx, const ix_obj *o,
                           const ix_scene_opts *opts,
                           ix_scene *out) IX_MUST_CHECK;
