@@ -74,7 +74,10 @@ static void child(const run_case *c, const int in[2], const int out[2],
 
     for (int i = 0; c->args[i]; i++)
         argv[i + 1] = strdup(c->args[i]);
+    /* a background job or nohup may have them ignored */
     (void)signal(SIGINT, SIG_DFL);
+    (void)signal(SIGHUP, SIG_DFL);
+    (void)signal(SIGTERM, SIG_DFL);
     (void)dup2(in[0], 0);
     (void)dup2(out[1], 1);
     (void)dup2(err[1], 2);
