@@ -60,6 +60,15 @@ void ix__strfree(ix_ctx *ctx, char *s); /* s may be NULL */
 
 ix_mark ix__scratch_mark(ix_ctx *ctx);
 void ix__scratch_release(ix_ctx *ctx, ix_mark mk);
+
+/* Returns what expr returns, its scratch released. */
+#define IX_RETURN_SCOPED(ctx, expr)               \
+    do {                                          \
+        ix_mark ix_mark_ = ix__scratch_mark(ctx); \
+        ix_status ix_scoped_ = (expr);            \
+        ix__scratch_release((ctx), ix_mark_);     \
+        return ix_scoped_;                        \
+    } while (0)
 /* n items of the given size, 64-byte aligned, unset; n may be 0. NULL and a
  * message on failure (also on overflow of n * size). */
 void *ix__scratch(ix_ctx *ctx, size_t n, size_t size) IX_MUST_CHECK;

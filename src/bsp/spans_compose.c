@@ -273,12 +273,7 @@ ix_status ix__spans_compose(ix_ctx *ctx, const ix_spans *sp, const ix_dir *dir,
                             double *out)
 {
     job jb = {.sp = sp, .in = in, .out = out, .outer = outer, .inner = inner};
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     jb.nin = (size_t)sp->nspans * (size_t)(sp->degree + 1);
     jb.nout = (size_t)dir->length;
-    st = compose(ctx, dir, &jb);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, compose(ctx, dir, &jb));
 }

@@ -116,14 +116,9 @@ static ix_status inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
 ix_status ix_bsp_inner(ix_ctx *ctx, const ix_dir *dir, const int order[2],
                        const int index[2], double *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = 0;
     if (order[0] > IX_MAX_ORDER || order[1] > IX_MAX_ORDER)
         return IX_FAIL(ctx, IX_EARG, "orders %d and %d, at most %d", order[0],
                        order[1], IX_MAX_ORDER);
-    st = inner(ctx, dir, order, index, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, inner(ctx, dir, order, index, out));
 }

@@ -310,11 +310,6 @@ static ix_status decompose(ix_ctx *ctx, const ix_mv *crv, ix_mv **f, ix_mv **g)
 
 ix_status ix_decompose(ix_ctx *ctx, const ix_mv *crv, ix_mv **f, ix_mv **g)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *f = *g = NULL;
-    st = decompose(ctx, crv, f, g);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, decompose(ctx, crv, f, g));
 }

@@ -161,9 +161,6 @@ ix_status ix_interpolate(ix_ctx *ctx, int n, int ncoords, bool rational,
                          const double *pts, const ix_interpolate_opts *o,
                          double *res, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
     if (n < 1 || ncoords < 1 || ncoords > IX_MAX_COORDS)
         return IX_FAIL(ctx, IX_EARG, "%d points of %d coordinates", n, ncoords);
@@ -172,9 +169,7 @@ ix_status ix_interpolate(ix_ctx *ctx, int n, int ncoords, bool rational,
         if (!isfinite(pts[i]))
             return IX_FAIL(ctx, IX_EARG, "point %zu has a coordinate %g",
                            i % (size_t)n, pts[i]);
-    st = interp(ctx, n, ncoords, rational, pts, o, res, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, interp(ctx, n, ncoords, rational, pts, o, res, out));
 }
 
 /* --- curves as data --------------------------------------------------------
@@ -245,11 +240,6 @@ static ix_status fit_curve(ix_ctx *ctx, const ix_mv *crv,
 ix_status ix_fit_curve(ix_ctx *ctx, const ix_mv *crv,
                        const ix_interpolate_opts *o, double *err, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = fit_curve(ctx, crv, o, err, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, fit_curve(ctx, crv, o, err, out));
 }

@@ -128,12 +128,7 @@ static ix_status params(ix_ctx *ctx, ix_param how, int n, int ncoords,
 ix_status ix_params(ix_ctx *ctx, ix_param how, int n, int ncoords,
                     const double *pts, double *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     if (n < 2 || ncoords < 1 || ncoords > IX_MAX_COORDS)
         return IX_FAIL(ctx, IX_EARG, "parameters of %d points", n);
-    st = params(ctx, how, n, ncoords, pts, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, params(ctx, how, n, ncoords, pts, out));
 }

@@ -240,14 +240,10 @@ ix_status ix_srf_fit_grid(ix_ctx *ctx, const int count[2], int ncoords,
                           const int size[2], ix_mv **out)
 {
     int n[2] = {size[0] ? size[0] : count[0], size[1] ? size[1] : count[1]};
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
     IX_TRY(check_sizes(ctx, count, order, n));
-    st = fit_grid(ctx, count, ncoords, rational, pts, order, n, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(
+        ctx, fit_grid(ctx, count, ncoords, rational, pts, order, n, out));
 }
 
 /* --- surfaces ---------------------------------------------------------- */

@@ -150,14 +150,9 @@ static ix_status value(ix_ctx *ctx, const ix_mv *s, const ix_volume *v,
 ix_status ix_srf_volume(ix_ctx *ctx, const ix_mv *srf, const ix_volume *what,
                         double *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = 0;
     IX_TRY(check(ctx, srf, what));
-    st = value(ctx, srf, what, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, value(ctx, srf, what, out));
 }
 
 /* --- as a surface ------------------------------------------------------ */

@@ -287,11 +287,6 @@ static ix_status read_trisrf(ix__lex *l, const void **out)
 
 ix_status ix__itdr_trisrf(ix__lex *l, const void **out)
 {
-    ix_mark mk = ix__scratch_mark(l->ctx);
-    ix_status st;
-
     *out = NULL;
-    st = read_trisrf(l, out);
-    ix__scratch_release(l->ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(l->ctx, read_trisrf(l, out));
 }

@@ -197,6 +197,47 @@ ix_status ix__arg_vec3(ix_call *c, int i, double v[3])
 
 /* --- results ----------------------------------------------------------- */
 
+static ix_status ret_points(ix_call *c, int ndirs, const ix_dir *dirs,
+                            const ix_mesh *m)
+{
+    ix_mv *out;
+
+    IX_TRY(
+        ix_mv_new(c->ctx, ndirs, dirs, m->ncoords, m->rational, m->pts, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+ix_status ix__ret_mesh(ix_call *c, int ndirs, ix_basis basis)
+{
+    ix_dir dirs[3];
+    ix_mesh m;
+
+    IX_TRY(ix__arg_mesh(c, 0, ndirs, &m));
+    for (int d = 0; d < ndirs; d++)
+        dirs[d] = (ix_dir){
+            .basis = basis, .order = m.length[d], .length = m.length[d]};
+    return ret_points(c, ndirs, dirs, &m);
+}
+
+ix_status ix__ret_bspline(ix_call *c, int ndirs, const char *what)
+{
+    int order, kv_arg = ndirs + 1;
+    const ix_obj *kvs = c->argv[kv_arg];
+    ix_dir dirs[3];
+    ix_mesh m;
+
+    if (kvs->u.list.n != ndirs)
+        return IX_ARG_FAIL(c, kv_arg, "%d knot vectors, a %s needs %d",
+                           kvs->u.list.n, what, ndirs);
+    IX_TRY(ix__arg_mesh(c, ndirs, ndirs, &m));
+    for (int d = 0; d < ndirs; d++) {
+        IX_TRY(ix__arg_int(c, d, 1, IX_MAX_ORDER, &order));
+        IX_TRY(ix__arg_knots(c, kv_arg, kvs->u.list.item[d], order, m.length[d],
+                             &dirs[d]));
+    }
+    return ret_points(c, ndirs, dirs, &m);
+}
+
 ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m, int geom_type)
 {
     IX_TRY(ix__ret_mv(c, like, m));

@@ -46,6 +46,13 @@ ix_status ix__arg_vec3(ix_call *c, int i, double v[3]) IX_MUST_CHECK;
 
 /* --- results ----------------------------------------------------------- */
 
+/* A freeform of ndirs directions, each of the given basis, whose control points
+ * are argument 0. */
+ix_status ix__ret_mesh(ix_call *c, int ndirs, ix_basis basis) IX_MUST_CHECK;
+/* A B-spline: an order per direction, the control points, a list of a knot
+ * vector per direction; what names it for messages. */
+ix_status ix__ret_bspline(ix_call *c, int ndirs,
+                          const char *what) IX_MUST_CHECK;
 /* As ix__ret_mv, with the attribute GeomType. Takes over m. */
 ix_status ix__ret_geom(ix_call *c, int like, const ix_mv *m,
                        int geom_type) IX_MUST_CHECK;

@@ -68,7 +68,12 @@ extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
 extern const ix_builtin ix__builtins_ops_crv[];
+extern const ix_builtin ix__builtins_ops_srf[];
+extern const ix_builtin ix__builtins_degrees[];
 extern const ix_builtin ix__builtins_poly[];
+extern const ix_builtin ix__builtins_distance[];
+extern const ix_builtin ix__builtins_meet[];
+extern const ix_builtin ix__builtins_solve[];
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------

@@ -12,26 +12,12 @@
 
 static ix_status cbezier(ix_call *c)
 {
-    ix_mesh m;
-    ix_dir dir = {.basis = IX_BEZIER};
-    ix_mv *crv;
-
-    IX_TRY(ix__arg_mesh(c, 0, 1, &m));
-    dir.order = dir.length = m.length[0];
-    IX_TRY(ix_mv_new(c->ctx, 1, &dir, m.ncoords, m.rational, m.pts, &crv));
-    return ix__ret_mv(c, -1, crv);
+    return ix__ret_mesh(c, 1, IX_BEZIER);
 }
 
 static ix_status cpower(ix_call *c)
 {
-    ix_mesh m;
-    ix_dir dir = {.basis = IX_POWER};
-    ix_mv *crv;
-
-    IX_TRY(ix__arg_mesh(c, 0, 1, &m));
-    dir.order = dir.length = m.length[0];
-    IX_TRY(ix_mv_new(c->ctx, 1, &dir, m.ncoords, m.rational, m.pts, &crv));
-    return ix__ret_mv(c, -1, crv);
+    return ix__ret_mesh(c, 1, IX_POWER);
 }
 
 static ix_status cbspline(ix_call *c)

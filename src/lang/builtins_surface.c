@@ -16,49 +16,19 @@
 
 /* --- control meshes ---------------------------------------------------- */
 
-static ix_status mesh_surface(ix_call *c, ix_basis basis)
-{
-    ix_dir dirs[2];
-    ix_mesh m;
-    ix_mv *out;
-
-    IX_TRY(ix__arg_mesh(c, 0, 2, &m));
-    for (int d = 0; d < 2; d++)
-        dirs[d] = (ix_dir){
-            .basis = basis, .order = m.length[d], .length = m.length[d]};
-    IX_TRY(ix_mv_new(c->ctx, 2, dirs, m.ncoords, m.rational, m.pts, &out));
-    return ix__ret_mv(c, -1, out);
-}
-
 static ix_status sbezier(ix_call *c)
 {
-    return mesh_surface(c, IX_BEZIER);
+    return ix__ret_mesh(c, 2, IX_BEZIER);
 }
 
 static ix_status spower(ix_call *c)
 {
-    return mesh_surface(c, IX_POWER);
+    return ix__ret_mesh(c, 2, IX_POWER);
 }
 
 static ix_status sbspline(ix_call *c)
 {
-    const ix_obj *kvs = c->argv[3];
-    ix_dir dirs[2];
-    ix_mesh m;
-    ix_mv *out;
-    int order;
-
-    if (kvs->u.list.n != 2)
-        return IX_ARG_FAIL(c, 3, "%d knot vectors, a surface needs 2",
-                           kvs->u.list.n);
-    IX_TRY(ix__arg_mesh(c, 2, 2, &m));
-    for (int d = 0; d < 2; d++) {
-        IX_TRY(ix__arg_int(c, d, 1, IX_MAX_ORDER, &order));
-        IX_TRY(ix__arg_knots(c, 3, kvs->u.list.item[d], order, m.length[d],
-                             &dirs[d]));
-    }
-    IX_TRY(ix_mv_new(c->ctx, 2, dirs, m.ncoords, m.rational, m.pts, &out));
-    return ix__ret_mv(c, -1, out);
+    return ix__ret_bspline(c, 2, "surface");
 }
 
 /* --- ruled, extruded --------------------------------------------------- */

@@ -12,37 +12,12 @@
 
 static ix_status tbezier(ix_call *c)
 {
-    ix_dir dirs[3];
-    ix_mesh m;
-    ix_mv *out;
-
-    IX_TRY(ix__arg_mesh(c, 0, 3, &m));
-    for (int d = 0; d < 3; d++)
-        dirs[d] = (ix_dir){
-            .basis = IX_BEZIER, .order = m.length[d], .length = m.length[d]};
-    IX_TRY(ix_mv_new(c->ctx, 3, dirs, m.ncoords, m.rational, m.pts, &out));
-    return ix__ret_mv(c, -1, out);
+    return ix__ret_mesh(c, 3, IX_BEZIER);
 }
 
 static ix_status tbspline(ix_call *c)
 {
-    const ix_obj *kvs = c->argv[4];
-    ix_dir dirs[3];
-    ix_mesh m;
-    ix_mv *out;
-    int order;
-
-    if (kvs->u.list.n != 3)
-        return IX_ARG_FAIL(c, 4, "%d knot vectors, a trivariate needs 3",
-                           kvs->u.list.n);
-    IX_TRY(ix__arg_mesh(c, 3, 3, &m));
-    for (int d = 0; d < 3; d++) {
-        IX_TRY(ix__arg_int(c, d, 1, IX_MAX_ORDER, &order));
-        IX_TRY(ix__arg_knots(c, 4, kvs->u.list.item[d], order, m.length[d],
-                             &dirs[d]));
-    }
-    IX_TRY(ix_mv_new(c->ctx, 3, dirs, m.ncoords, m.rational, m.pts, &out));
-    return ix__ret_mv(c, -1, out);
+    return ix__ret_bspline(c, 3, "trivariate");
 }
 
 static ix_status ruledtv(ix_call *c)

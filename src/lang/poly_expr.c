@@ -332,11 +332,6 @@ static ix_status parse_all(parser *p, ix_mv **out)
 ix_status ix__poly_expr(ix_ctx *ctx, int ndirs, const char *text, ix_mv **out)
 {
     parser p = {.ctx = ctx, .ndirs = ndirs, .text = text, .at = text};
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = parse_all(&p, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, parse_all(&p, out));
 }

@@ -12,30 +12,6 @@
 #include "lang/interp_impl.h"
 #include "lang/startup.h"
 
-extern const ix_builtin ix__builtins_system[];
-extern const ix_builtin ix__builtins_numeric[];
-extern const ix_builtin ix__builtins_list[];
-extern const ix_builtin ix__builtins_output[];
-extern const ix_builtin ix__builtins_attr[];
-extern const ix_builtin ix__builtins_analytic[];
-extern const ix_builtin ix__builtins_curve[];
-extern const ix_builtin ix__builtins_curve_edit[];
-extern const ix_builtin ix__builtins_curve_ask[];
-extern const ix_builtin ix__builtins_freeform[];
-extern const ix_builtin ix__builtins_surface[];
-extern const ix_builtin ix__builtins_trivar[];
-extern const ix_builtin ix__builtins_mv[];
-extern const ix_builtin ix__builtins_sym[];
-extern const ix_builtin ix__builtins_ops[];
-extern const ix_builtin ix__builtins_ops_crv[];
-extern const ix_builtin ix__builtins_ops_srf[];
-extern const ix_builtin ix__builtins_degrees[];
-extern const ix_builtin ix__builtins_poly[];
-extern const ix_builtin ix__builtins_distance[];
-extern const ix_builtin ix__builtins_meet[];
-extern const ix_builtin ix__builtins_solve[];
-extern const ix_builtin ix__builtins_startup[];
-
 /* Statements that the parser knows itself, here for help and lists only. */
 static const ix_builtin control[] = {
     {"IF", "cond:num then:any [else:any] -> nothing",

@@ -17,15 +17,6 @@ struct ix_mv {
     double *pts;  /* [naxes][npts], inside the block, 64-byte aligned */
 };
 
-/* Returns what expr returns, its scratch released. */
-#define IX_RETURN_SCOPED(ctx, expr)               \
-    do {                                          \
-        ix_mark ix_mark_ = ix__scratch_mark(ctx); \
-        ix_status ix_scoped_ = (expr);            \
-        ix__scratch_release((ctx), ix_mark_);     \
-        return ix_scoped_;                        \
-    } while (0)
-
 /* A block with room for the given shape: directions and knots copied, refs
  * 1, points unset. For builders: they fill pts, then return it as it is. The
  * caller has checked that the shape is legal; IX_ENOMEM otherwise only. */

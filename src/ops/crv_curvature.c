@@ -109,7 +109,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
 static ix_status compare(ix_ctx *ctx, const ix_probe *at, const void *arg,
                          double *worst)
 {
-    const ix_mv *f = *(const ix_mv *const *)arg;
+    const ix_mv *f = arg;
     double b[3], n[3], v[3], q = ix__dot3(at->x[1], at->x[1]);
 
     ix__cross3(at->x[1], at->x[2], b);
@@ -126,35 +126,18 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                      ix_report *rep, ix_mv **out)
 {
     ix_degree_form form;
-    ix_status st = IX_OK;
     ix_mv *f;
 
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     IX_TRY(build(ctx, crv, form, o, &f));
-    ix__report_init(rep, form, f);
-    if (rep) {
-        const ix_mv *arg = f;
-
-        rep->residual = 0.0;
-        rep->how = "against derivatives at nine parameters, relative";
-        st = ix__probe(ctx, crv, compare, &arg, &rep->residual);
-    }
-    if (st != IX_OK) {
-        ix_mv_unref(ctx, f);
-        return st;
-    }
-    *out = f;
-    return IX_OK;
+    return ix__report_probed(ctx, crv, form, compare, f,
+                             "against derivatives at nine parameters, relative",
+                             rep, f, out);
 }
 
 ix_status ix_crv_normal_field(ix_ctx *ctx, const ix_mv *crv,
                               const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = run(ctx, crv, o, rep, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, crv, o, rep, out));
 }

@@ -79,14 +79,9 @@ typedef ix_status (*finder)(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
 static ix_status run_finder(ix_ctx *ctx, finder find, const ix_mv *crv,
                             ix_root **roots, int *n)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *roots = NULL;
     *n = 0;
-    st = find(ctx, crv, roots, n);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, find(ctx, crv, roots, n));
 }
 
 ix_status ix_crv_inflections(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
@@ -294,14 +289,9 @@ static ix_status features(ix_ctx *ctx, const ix_mv *crv, ix_crv_feature **f,
 ix_status ix_crv_features(ix_ctx *ctx, const ix_mv *crv, ix_crv_feature **f,
                           int *n)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *f = NULL;
     *n = 0;
-    st = features(ctx, crv, f, n);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, features(ctx, crv, f, n));
 }
 
 void ix_crv_features_free(ix_ctx *ctx, ix_crv_feature *f, int n)

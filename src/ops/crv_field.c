@@ -493,11 +493,6 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
 ix_status ix_crv_field(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
                        const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = run(ctx, crv, kind, o, rep, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, crv, kind, o, rep, out));
 }

@@ -390,23 +390,13 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
                      ix_mv **out)
 {
     probe_arg a = {.kind = kind};
-    ix_status st = IX_OK;
     ix_mv *s;
 
     IX_TRY(build(ctx, crv, kind, range, &o, &s));
-    ix__report_init(rep, o.form, s);
-    if (rep) {
-        a.srf = s;
-        rep->residual = 0.0;
-        rep->how = "position and direction of nine rulings, relative";
-        st = ix__probe(ctx, crv, compare, &a, &rep->residual);
-    }
-    if (st != IX_OK) {
-        ix_mv_unref(ctx, s);
-        return st;
-    }
-    *out = s;
-    return IX_OK;
+    a.srf = s;
+    return ix__report_probed(ctx, crv, o.form, compare, &a,
+                             "position and direction of nine rulings, relative",
+                             rep, s, out);
 }
 
 ix_status ix_crv_ruled(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
@@ -414,15 +404,10 @@ ix_status ix_crv_ruled(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
                        ix_report *rep, ix_mv **out)
 {
     ix_op_opts own = {.max_cont = o ? o->max_cont : INT_MAX};
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
     IX_TRY(check_input(ctx, kind, range));
     IX_TRY(ix__form_of_opts(ctx, o, &own.form));
     if (own.form == IX_FORM_IRIT) /* it has none of these */
         own.form = IX_FORM_MINIMAL;
-    st = run(ctx, crv, kind, range, own, rep, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, crv, kind, range, own, rep, out));
 }

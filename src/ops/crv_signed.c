@@ -93,9 +93,6 @@ static ix_status sample(ix_ctx *ctx, const ix_mv *crv, int n, int order,
 ix_status ix_curvature_function(ix_ctx *ctx, const ix_mv *crv, int n, int order,
                                 bool arclen, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
     if (crv->ndirs != 1 || crv->ncoords < 2 || crv->ncoords > 3)
         return IX_FAIL(ctx, IX_EARG,
@@ -107,9 +104,7 @@ ix_status ix_curvature_function(ix_ctx *ctx, const ix_mv *crv, int n, int order,
                        "%d samples for order %d: at least that many, an order "
                        "of at least 2, at most %d samples",
                        n, order, (int)MAX_PIECES);
-    st = sample(ctx, crv, n, order, arclen, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, sample(ctx, crv, n, order, arclen, out));
 }
 
 /* --- to a curve ------------------------------------------------------------

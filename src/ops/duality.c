@@ -154,27 +154,17 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_mv *m, const double p[3],
 ix_status ix_duality(ix_ctx *ctx, const ix_mv *m, const ix_op_opts *o,
                      ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = dual(ctx, m, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, dual(ctx, m, o, out));
 }
 
 ix_status ix_orthotomic(ix_ctx *ctx, const ix_mv *m, const double p[3],
                         double k, const ix_op_opts *o, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
     if (!isfinite(k) || !isfinite(p[0] + p[1] + p[2]))
         return IX_FAIL(ctx, IX_EARG,
                        "k = %g and p = (%g, %g, %g) must be finite", k, p[0],
                        p[1], p[2]);
-    st = orthotomic(ctx, m, p, k, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, orthotomic(ctx, m, p, k, o, out));
 }

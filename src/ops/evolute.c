@@ -163,7 +163,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
 static ix_status contact(ix_ctx *ctx, const ix_probe *at, const void *arg,
                          double *worst)
 {
-    const ix_mv *e = *(const ix_mv *const *)arg;
+    const ix_mv *e = arg;
     double c[3] = {0, 0, 0}, r[3], len, q = ix__dot3(at->x[1], at->x[1]);
 
     IX_TRY(ix_mv_point(ctx, e, &at->t, c));
@@ -184,37 +184,21 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
 {
     ix_degree_form form;
     ix_mv *e;
-    ix_status st = IX_OK;
 
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     IX_TRY(build(ctx, crv, form, o, &e));
-    ix__report_init(rep, form, e);
-    if (rep) {
-        const ix_mv *arg = e;
-
-        rep->residual = 0.0;
-        rep->how = "contact of second order at nine parameters, relative to "
-                   "the radius";
-        st = ix__probe(ctx, crv, contact, &arg, &rep->residual);
-    }
-    if (st != IX_OK) {
-        ix_mv_unref(ctx, e);
-        return st;
-    }
-    *out = e;
-    return IX_OK;
+    return ix__report_probed(
+        ctx, crv, form, contact, e,
+        "contact of second order at nine parameters, relative to "
+        "the radius",
+        rep, e, out);
 }
 
 ix_status ix_evolute(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                      ix_report *rep, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = run(ctx, crv, o, rep, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, crv, o, rep, out));
 }
 
 /* --- pieces ------------------------------------------------------------- */
@@ -283,11 +267,6 @@ static ix_status pieces(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
 ix_status ix_evolute_pieces(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                             ix_crvs *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = (ix_crvs){.n = 0};
-    st = pieces(ctx, crv, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, pieces(ctx, crv, o, out));
 }

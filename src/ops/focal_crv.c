@@ -125,7 +125,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
 static ix_status contact(ix_ctx *ctx, const ix_probe *at, const void *arg,
                          double *worst)
 {
-    const ix_mv *f = *(const ix_mv *const *)arg;
+    const ix_mv *f = arg;
     double c[3], r[3], len, q = ix__dot3(at->x[1], at->x[1]);
     double want[4] = {0, 0, q, 3 * ix__dot3(at->x[1], at->x[2])};
 
@@ -146,37 +146,20 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                      ix_report *rep, ix_mv **out)
 {
     ix_degree_form form;
-    ix_status st = IX_OK;
     ix_mv *f;
 
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     if (form == IX_FORM_IRIT)
         form = IX_FORM_MINIMAL;
     IX_TRY(build(ctx, crv, form, o, &f));
-    ix__report_init(rep, form, f);
-    if (rep) {
-        const ix_mv *arg = f;
-
-        rep->residual = 0.0;
-        rep->how = "contact of third order at nine parameters, relative";
-        st = ix__probe(ctx, crv, contact, &arg, &rep->residual);
-    }
-    if (st != IX_OK) {
-        ix_mv_unref(ctx, f);
-        return st;
-    }
-    *out = f;
-    return IX_OK;
+    return ix__report_probed(
+        ctx, crv, form, contact, f,
+        "contact of third order at nine parameters, relative", rep, f, out);
 }
 
 ix_status ix_focal_crv(ix_ctx *ctx, const ix_mv *crv, const ix_op_opts *o,
                        ix_report *rep, ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = run(ctx, crv, o, rep, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, crv, o, rep, out));
 }

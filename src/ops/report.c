@@ -71,3 +71,22 @@ ix_status ix__probe(ix_ctx *ctx, const ix_mv *crv, ix__probe_fn fn,
     }
     return IX_OK;
 }
+
+ix_status ix__report_probed(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
+                            ix__probe_fn fn, const void *arg, const char *how,
+                            ix_report *rep, ix_mv *m, ix_mv **out)
+{
+    ix_status st = IX_OK;
+
+    ix__report_init(rep, form, m);
+    if (rep) {
+        rep->residual = 0.0;
+        rep->how = how;
+        st = ix__probe(ctx, crv, fn, arg, &rep->residual);
+    }
+    if (st == IX_OK)
+        *out = m;
+    else
+        ix_mv_unref(ctx, m);
+    return st;
+}

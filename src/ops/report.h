@@ -20,5 +20,11 @@ typedef ix_status (*ix__probe_fn)(ix_ctx *ctx, const ix_probe *at,
                                   const void *arg, double *worst);
 ix_status ix__probe(ix_ctx *ctx, const ix_mv *crv, ix__probe_fn fn,
                     const void *arg, double *worst) IX_MUST_CHECK;
+/* Makes m the result in *out; a report says how far, by fn, it is from its
+ * definition. Takes over m, which is released on an error. */
+ix_status ix__report_probed(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
+                            ix__probe_fn fn, const void *arg, const char *how,
+                            ix_report *rep, ix_mv *m,
+                            ix_mv **out) IX_MUST_CHECK;
 
 #endif

@@ -48,13 +48,8 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
 ix_status ix_solve_curves(ix_ctx *ctx, int neq, const ix_equation *eq,
                           const ix_curves_opts *o, ix_solution_curves *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = (ix_solution_curves){.unknowns = 0};
-    st = solve(ctx, neq, eq, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, solve(ctx, neq, eq, o, out));
 }
 
 void ix_solution_curves_free(ix_ctx *ctx, ix_solution_curves *c)

@@ -89,13 +89,8 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
 ix_status ix_solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                    const ix_solve_opts *o, ix_solutions *out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = (ix_solutions){.n = 0};
-    st = solve(ctx, neq, eq, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, solve(ctx, neq, eq, o, out));
 }
 
 void ix_solutions_free(ix_ctx *ctx, ix_solutions *s)

@@ -271,11 +271,6 @@ static ix_status compose(ix_ctx *ctx, const ix_mv *fm, const ix_mv *gm,
 ix_status ix_sym_compose(ix_ctx *ctx, const ix_mv *f, const ix_mv *g,
                          ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = compose(ctx, f, g, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, compose(ctx, f, g, out));
 }

@@ -70,11 +70,6 @@ ix_status ix__frac_run(ix_ctx *ctx, int n, const ix_mv *const *m,
                        ix__frac_body body, int sign, const ix_sym_opts *o,
                        ix_mv **out)
 {
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st;
-
     *out = NULL;
-    st = run(ctx, n, m, body, sign, o, out);
-    ix__scratch_release(ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(ctx, run(ctx, n, m, body, sign, o, out));
 }
