@@ -28,8 +28,9 @@ static bool ends_meet(const double *at, size_t m)
            EQUAL_ENDS * ix__bern_largest(2 * near, at - near);
 }
 
-/* Joins as IRIT makes them: C0 or a jump, by the values. */
-static ix_status irit_joins(ix_ctx *ctx, ix_form *f)
+/* Joins as IRIT makes them: C0 or a jump, by the values; what is known to be
+ * smoother stays so up to max_cont. */
+static ix_status irit_joins(ix_ctx *ctx, ix_form *f, int max_cont)
 {
     const ix_spans *sp = &f->dirs[0];
     size_t m = (size_t)sp->degree + 1;
@@ -42,6 +43,10 @@ static ix_status irit_joins(ix_ctx *ctx, ix_form *f)
     IX_SCRATCH(ctx, own, 1);
     for (int j = 0; j + 1 < sp->nspans; j++) {
         cont[j] = 0;
+        if (max_cont > 0 && sp->cont[j] > 0) {
+            cont[j] = sp->cont[j];
+            continue;
+        }
         for (int r = 0; r < f->nrows; r++)
             if (!ends_meet(b + (size_t)r * f->n + (size_t)(j + 1) * m, m))
                 cont[j] = -1;
@@ -60,7 +65,7 @@ static ix_status points_of(ix_ctx *ctx, ix_form *f, ix_join_rule rule,
     const double *x;
 
     if (rule.irit)
-        IX_TRY(irit_joins(ctx, f));
+        IX_TRY(irit_joins(ctx, f, rule.max_cont));
     IX_TRY(ix__form_dirs(ctx, f, &so, dir));
     IX_TRY(ix__form_points(ctx, f, dir, &x));
     IX_SCRATCH(ctx, *pts, (size_t)f->nrows * (size_t)dir->length);

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "iritx/ops_bisect.h"
 #include "iritx/ops_crv.h"
 #include "iritx/ops_srf.h"
 
@@ -45,6 +46,14 @@ static ix_status bisector3d(ix_ctx *ctx, const ix_op_args *a,
                             const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
     return ix_cbisector3d(ctx, a->mv[0], a->mv[1], o, rep, out);
+}
+
+/* The numbers are the point. */
+static ix_status point_bisector(ix_ctx *ctx, const ix_op_args *a,
+                                const ix_op_opts *o, ix_report *rep,
+                                ix_mv **out)
+{
+    return ix_pt_crv_bisector(ctx, a->mv[0], a->num, 0.5, o, rep, out);
 }
 
 static ix_status gauss(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
@@ -123,6 +132,7 @@ const ix_op ix__ops[] = {{"CINFLECT", {1, 0}, 0, ALL, inflection},
                          {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
                          {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
                          {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
+                         {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},
                          {"SGAUSS", {2, 0}, 0, ONLY_IRIT, gauss},
                          {"SGAUSSNUM", {2, 0}, 0, ONLY_IRIT, gauss_numerator},
                          {"SMEAN", {2, 0}, 0, ONLY_IRIT, mean},
