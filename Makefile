@@ -117,9 +117,11 @@ $(call obj,$(DRAW_SRC)): CPPFLAGS += $(patsubst -I%,-isystem %,$(shell pkg-confi
 $(B)/iritx_draw.so: $(call obj,$(DRAW_SRC)) $(LIB)
 	@echo "  LD    $@"
 	$(Q)$(LINK) -shared -Wl,-Bsymbolic $(filter %.o %.a,$^) $(LIBS) $(shell pkg-config --libs $(CAIRO)) -o $@
-$(B)/iritx: $(call obj,$(APP_SRC)) $(LIB)
+# The whole library, and its public names shown to plug-ins.
+$(B)/iritx: $(call obj,$(APP_SRC)) $(LIB) src/app/exports
 	@echo "  LD    $@"
-	$(Q)$(LINK) $^ $(LIBS) -o $@
+	$(Q)$(LINK) -Wl,--dynamic-list=src/app/exports $(filter %.o,$^) \
+	 -Wl,--whole-archive $(LIB) -Wl,--no-whole-archive $(LIBS) -o $@
 $(TESTS): %: %.o $(call obj,$(HARNESS)) $(LIB)
 	$(Q)$(LINK) $^ $(LIBS) $(TEST_LIBS) -o $@
 $(call bin,$(BENCH_SRC)): %: %.o $(LIB)
@@ -139,9 +141,10 @@ RUN_mutate    = tests/hostile/mutate $(B)/iritx
 RUN_prompt    = WITH_LIBEDIT=$(WITH_LIBEDIT) tests/prompt/run $(B)/iritx
 RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_draw      = tests/draw/run $(B)/iritx
+RUN_plugin    = CC='$(CC)' tests/plugin/run $(B)/iritx
 RUN_docs      = tests/docs/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden reference published roundtrip hostile mutate prompt $(if $(MODULE),draw) \
+PARTS := unit selftest script golden reference published roundtrip hostile mutate prompt plugin $(if $(MODULE),draw) \
          $(if $(filter release,$(CFG)),install) docs lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -153,7 +156,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-prompt check-draw check-docs check-install: $(PROG) $(MODULE)
+check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-prompt check-plugin check-draw check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))

@@ -36,6 +36,14 @@ typedef enum {
     IX_ECANCEL  /* interrupted by the user or by a budget */
 } ix_status;
 
+/* Returns the status of expr from the calling function unless it is IX_OK. */
+#define IX_TRY(expr)                \
+    do {                            \
+        ix_status ix_try_ = (expr); \
+        if (ix_try_ != IX_OK)       \
+            return ix_try_;         \
+    } while (0)
+
 /* "ok", "argument", "domain", ... ; never NULL. */
 const char *ix_status_name(ix_status st);
 

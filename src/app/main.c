@@ -15,6 +15,7 @@
 #include "app/picture.h"
 #include "app/progress.h"
 #include "app/prompt.h"
+#include "plugin/load.h"
 
 #define DEFAULT_MEMORY ((size_t)1 << 30)
 #define STDOUT_BUFFER  65536
@@ -115,7 +116,7 @@ static ix_status run_all(ix_interp *in, const options *o)
             IX_TRY(ix__interp_run_text(in, "<-e>", r->arg, strlen(r->arg)));
         else if (r->kind == RUN_FILE)
             IX_TRY(ix__interp_run_file(in, r->arg));
-        any = any || r->kind != RUN_DEFINE;
+        any = any || r->kind == RUN_TEXT || r->kind == RUN_FILE;
     }
     return any ? IX_OK : ix__interp_run_file(in, "-");
 }
@@ -141,6 +142,7 @@ static int run(ix_ctx *ctx, const options *o)
     ix_status st;
     int errors;
 
+    opts.load_plugin = ix__plugin_load;
     if (prompt_wanted()) {
         opts.read_line = prompt_line;
         opts.show_value = prompt_show;
@@ -199,6 +201,22 @@ static int run_with_context(const options *o)
     return rc;
 }
 
+/* The plug-ins of the command line come first, for --help knows them too. */
+static bool load_plugins(const options *o)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_status st = ctx ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < o->nitems; i++)
+        if (o->item[i].kind == RUN_PLUGIN)
+            st = ix__plugin_load(ctx, o->item[i].arg);
+    if (st != IX_OK)
+        (void)fprintf(stderr, "iritx: error: %s\n",
+                      ctx ? ix_ctx_message(ctx) : "out of memory");
+    ix_ctx_free(ctx);
+    return st == IX_OK;
+}
+
 static int perform(const options *o)
 {
     switch (o->task) {
@@ -252,7 +270,7 @@ int main(int argc, char **argv)
     if (!o.item)
         (void)fprintf(stderr, "iritx: error: out of memory\n");
     else if (options_read(argc, argv, &o))
-        rc = perform(&o);
+        rc = load_plugins(&o) ? perform(&o) : 1;
     free(o.item);
     return finish(rc);
 }

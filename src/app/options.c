@@ -20,6 +20,9 @@ typedef enum {
     STEPS,
     ROOT,
     SYSTEM,
+    PLUGIN,
+    PLUGINS,
+    PLUGIN_DIR,
     LIST,
     HELP,
     VERSION
@@ -51,6 +54,11 @@ static const struct {
     {"--root", "DIR", REQUIRED, ROOT,
      "scripts reach files below DIR only (the current directory)"},
     {"--allow-system", NULL, NONE, SYSTEM, "allow SYSTEM, and files anywhere"},
+    {"--plugin", "FILE", REQUIRED, PLUGIN,
+     "load a plug-in first (may be given several times)"},
+    {"--allow-plugins", NULL, NONE, PLUGINS, "allow LOADEXT of any plug-in"},
+    {"--plugin-dir", "DIR", REQUIRED, PLUGIN_DIR,
+     "allow LOADEXT of the plug-ins below DIR"},
     {"--list-functions", NULL, NONE, LIST, "names and signatures"},
     {"--help", "[NAME]", OPTIONAL, HELP, "this text, or about a function"},
     {"--version", NULL, NONE, VERSION, "the version"},
@@ -130,6 +138,11 @@ static bool apply_value(options *o, option_id id, const char *v)
         return add_item(o, RUN_TEXT, v);
     case DEFINE:
         return add_item(o, RUN_DEFINE, v);
+    case PLUGIN:
+        return add_item(o, RUN_PLUGIN, v);
+    case PLUGIN_DIR:
+        o->interp.plugin_dir = v;
+        break;
     case FORM:
         return degree_form(o, v);
     case OUTPUT:
@@ -166,6 +179,9 @@ static bool apply(options *o, option_id id, const char *v)
         return true;
     case SYSTEM:
         o->interp.allow_system = true;
+        return true;
+    case PLUGINS:
+        o->interp.allow_plugins = true;
         return true;
     case LIST:
         o->task = DO_LIST;
@@ -220,13 +236,21 @@ static bool read_option(reader *r, const char *arg)
     return complain("unknown option", arg);
 }
 
+static bool runs_something(const options *o)
+{
+    for (int i = 0; i < o->nitems; i++)
+        if (o->item[i].kind != RUN_PLUGIN)
+            return true;
+    return false;
+}
+
 /* The first argument that is no option may name a command, which takes all
  * that follows. */
 static bool take_command(reader *r, const char *arg)
 {
     options *o = r->o;
 
-    if (o->nitems > 0 || !(o->command = cmd_find(arg)))
+    if (runs_something(o) || !(o->command = cmd_find(arg)))
         return false;
     o->task = DO_COMMAND;
     o->args = r->argv + r->at;

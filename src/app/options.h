@@ -5,11 +5,11 @@
 #include "app/cmd.h"
 #include "lang/interp.h"
 
-typedef enum { RUN_FILE, RUN_TEXT, RUN_DEFINE } run_kind;
+typedef enum { RUN_FILE, RUN_TEXT, RUN_DEFINE, RUN_PLUGIN } run_kind;
 /* What to run, in the order given. */
 typedef struct {
     run_kind kind;
-    const char *arg; /* file name; text; NAME=VALUE */
+    const char *arg; /* file name; text; NAME=VALUE; shared object */
 } run_item;
 
 typedef enum { DO_RUN, DO_HELP, DO_LIST, DO_VERSION, DO_COMMAND } task;

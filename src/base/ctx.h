@@ -89,13 +89,6 @@ void ix__progress_clear(ix_ctx *ctx);
 #define IX_FAIL(ctx, st, ...) \
     (ix__fail((ctx), (st), __func__, __FILE__, __LINE__, __VA_ARGS__), (st))
 
-#define IX_TRY(expr)                \
-    do {                            \
-        ix_status ix_try_ = (expr); \
-        if (ix_try_ != IX_OK)       \
-            return ix_try_;         \
-    } while (0)
-
 /* p = n scratch items of p's type, or return IX_ENOMEM. */
 #define IX_SCRATCH(ctx, p, n)                               \
     do {                                                    \

@@ -17,11 +17,12 @@
 #ifndef LANG_BUILTIN_H
 #define LANG_BUILTIN_H
 
+#include "iritx/plugin.h"
 #include "object/object.h"
 
 typedef struct ix_interp ix_interp; /* lang/interp.h */
 
-typedef struct {
+struct ix_call {
     ix_interp *in;
     ix_ctx *ctx;
     int argc;
@@ -29,13 +30,13 @@ typedef struct {
                        is a variable, so procedures may change them */
     ix_obj *result; /* set by functions: a new reference; NULL = no value */
     int bad_arg;    /* 1-based argument to which a failure refers, 0 none */
-} ix_call;
+};
 
 typedef ix_status (*ix_builtin_fn)(ix_call *c);
 
 enum {
-    IX_B_SOFT = 1,   /* a failure prints its message, gives no value, and the
-                        script goes on (spec/language 9, "soft") */
+    IX_B_SOFT = IX_PLUGIN_SOFT, /* a failure prints its message, gives no value,
+                        and the script goes on (spec/language 9, "soft") */
     IX_B_LIBRARY = 2 /* start-up library: a script may define a function of
                         this name, which then goes first */
 };

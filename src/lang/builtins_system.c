@@ -337,6 +337,11 @@ static ix_status b_system(ix_call *c)
     return IX_OK;
 }
 
+static ix_status b_loadext(ix_call *c)
+{
+    return ix__plugin_open(c->in, ix__arg_str(c, 0));
+}
+
 /* --- help and debugging
  * ----------------------------------------------------------------- */
 
@@ -453,6 +458,10 @@ const ix_builtin ix__builtins_system[] = {
     {"SYSTEM", "command:str -> nothing",
      "Runs a shell command, if the program was allowed to.", "system(\"ls\");",
      b_system, 0, 1},
+    {"LOADEXT", "file:str -> nothing",
+     "Loads a plug-in, whose functions can be used from the next statement on, "
+     "if the program was allowed to (--allow-plugins, --plugin-dir).",
+     "loadext(\"pedal.so\");", b_loadext, 0, 1},
     {"THISOBJ", "name:str -> num",
      "The type of the variable of that name, such as CURVE_TYPE; 0 if there "
      "is none.",

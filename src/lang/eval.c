@@ -7,6 +7,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "lang/host.h"
 #include "lang/interp_impl.h"
 
 #define FEW_ARGS    8                 /* without scratch memory */
@@ -267,12 +268,13 @@ static ix_status check_types(ix_interp *in, const ix__node *n,
 static ix_status invoke(ix_interp *in, ix__node *n, ix_obj **argv, ix__val *v)
 {
     ix_call c = {.in = in, .ctx = in->ctx, .argc = n->n, .argv = argv};
+    const ix__bi *bi = n->u.bi;
     ix_status st;
 
     IX_TRY(check_types(in, n, argv));
     in->here = n->pos;
-    ix__progress(in->ctx, n->u.bi->row->name, in->ctx->part);
-    st = n->u.bi->row->fn(&c);
+    ix__progress(in->ctx, bi->row->name, in->ctx->part);
+    st = bi->ext ? bi->ext(&ix__host, &c) : bi->row->fn(&c);
     ix__progress(in->ctx, NULL, in->ctx->part);
     if (st != IX_OK) {
         ix__obj_unref(in->ctx, c.result);

@@ -19,6 +19,10 @@ typedef struct {
     bool quiet;          /* no warnings */
     bool allow_system;   /* SYSTEM, and files outside root */
     const char *root;    /* files stay below it; NULL: the current directory */
+    /* LOADEXT: loads a plug-in; NULL: there is no loader. */
+    ix_status (*load_plugin)(ix_ctx *ctx, const char *path);
+    bool allow_plugins;       /* LOADEXT of any file */
+    const char *plugin_dir;   /* ... of files below this; NULL: none */
     const char *include_path; /* directories, ';' between them, where INCLUDE
                                  looks last; NULL: none */
     /* Reads a line of the script "-" for a person: appends it to line without
@@ -133,6 +137,10 @@ ix_status ix__path_check(ix_interp *in, const char *name,
                          bool writing) IX_MUST_CHECK;
 /* The same for a directory that is to become the working one. */
 ix_status ix__dir_check(ix_interp *in, const char *name) IX_MUST_CHECK;
+
+/* LOADEXT: loads a plug-in if the options allow it. Err IX_EIO they do not, or
+ * there is none; IX_EUNABLE there is no loader; what the loader returns. */
+ix_status ix__plugin_open(ix_interp *in, const char *name) IX_MUST_CHECK;
 
 /* The table row of a built-in (any case) or NULL; and all rows in order. */
 const ix_builtin *ix__builtin_find(const char *name);

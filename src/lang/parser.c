@@ -254,7 +254,7 @@ static ix_status callee(parser *p, const ix__token *t, ix__node *n)
         return IX_OK;
     }
     n->u.bi = ix__bi_find(t->text);
-    if (!n->u.bi || !n->u.bi->row->fn)
+    if (!n->u.bi || !(n->u.bi->row->fn || n->u.bi->ext))
         return unknown_function(p, t);
     p->checks.calls = p->checks.calls || strcmp(t->text, "EXEC") == 0;
     return IX_OK;

@@ -5,6 +5,7 @@
  * command line and in the include path, which the user chose. */
 #define _XOPEN_SOURCE 700
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -99,6 +100,55 @@ ix_status ix__system_check(ix_interp *in)
         return IX_OK;
     return IX_FAIL(in->ctx, IX_EIO,
                    "commands are refused (--allow-system would permit them)");
+}
+
+/* --- plug-ins ------------------------------------------------------------- */
+
+/* The real path of a plug-in: a name without a slash may stand in the folder
+ * of plug-ins. */
+static bool find_plugin(const ix_interp *in, const char *name,
+                        char real[PATH_MAX])
+{
+    const char *dir = in->opt.plugin_dir;
+    char path[PATH_MAX];
+    int n;
+
+    if (dir && !strchr(name, '/')) {
+        n = snprintf(path, sizeof path, "%s/%s", dir, name);
+        if (n < (int)sizeof path && realpath(path, real))
+            return true;
+    }
+    return realpath(name, real) != NULL;
+}
+
+/* Any file, or those below the folder of plug-ins, symbolic links followed. */
+static ix_status check_plugin(ix_interp *in, const char *name, const char *real)
+{
+    const char *dir = in->opt.plugin_dir;
+    char root[PATH_MAX];
+
+    if (in->opt.allow_plugins ||
+        (dir && realpath(dir, root) && is_below(real, root)))
+        return IX_OK;
+    return IX_FAIL(in->ctx, IX_EIO,
+                   "plug-in %s is refused: it is not below %s (--plugin-dir)",
+                   name, dir);
+}
+
+ix_status ix__plugin_open(ix_interp *in, const char *name)
+{
+    char real[PATH_MAX];
+
+    if (!in->opt.load_plugin)
+        return IX_FAIL(in->ctx, IX_EUNABLE, "plug-ins cannot be loaded here");
+    if (!in->opt.allow_plugins && !in->opt.plugin_dir)
+        return IX_FAIL(in->ctx, IX_EIO,
+                       "plug-ins are refused (--allow-plugins or --plugin-dir "
+                       "DIR would permit them)");
+    if (!find_plugin(in, name, real))
+        return IX_FAIL(in->ctx, IX_EIO, "there is no plug-in %s", name);
+    IX_TRY(check_plugin(in, name, real));
+    return in->opt.load_plugin(in->ctx, real);
 }
 
 static ix_status keep_real(ix_interp *in, const char *path, char **out)

@@ -1,10 +1,12 @@
 /* tables.c - all built-ins by name, the predefined constants.
  *
- * The index of the built-ins is made once per process and then only read. */
+ * The index of the built-ins is made once per process. Plug-ins append to it;
+ * what is there never changes or moves, so it is read without a lock. */
 #define _POSIX_C_SOURCE 200809L
 #include <assert.h>
 #include <ctype.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -60,13 +62,18 @@ static const ix_builtin *const tables[] = {
 #define NTABLES (sizeof tables / sizeof *tables)
 
 #define MAX_BUILTINS   1024
+#define MAX_EXT        512  /* of plug-ins */
 #define NSLOTS         4096 /* of the hash table: a power of two */
 #define CONSTANT_SLOTS 512
 
 static ix__bi all[MAX_BUILTINS];
-static size_t count;
-static unsigned short slot[NSLOTS]; /* 1 + index into all; 0: empty */
+static ix_builtin ext_row[MAX_EXT]; /* of plug-ins */
+static size_t next_ext;
+static atomic_size_t count;
+/* 1 + index into all, 0: empty. Set after the entry itself. */
+static _Atomic unsigned short slot[NSLOTS];
 static pthread_once_t once = PTHREAD_ONCE_INIT;
+static pthread_mutex_t appending = PTHREAD_MUTEX_INITIALIZER;
 
 /* Fowler-Noll-Vo, over the upper-case name. */
 static unsigned hash(const char *name)
@@ -85,43 +92,48 @@ static bool same_name(const char *a, const char *b)
     return !*a && !*b;
 }
 
-static size_t find_slot(const char *name)
+/* Its slot, or the empty one where it belongs; *bi NULL then. */
+static size_t find_slot(const char *name, const ix__bi **bi)
 {
-    size_t i = hash(name) % NSLOTS;
+    for (size_t i = hash(name) % NSLOTS;; i = (i + 1) % NSLOTS) {
+        unsigned at = atomic_load_explicit(&slot[i], memory_order_acquire);
 
-    while (slot[i] && !same_name(all[slot[i] - 1].row->name, name))
-        i = (i + 1) % NSLOTS;
-    return i;
+        *bi = at ? &all[at - 1] : NULL;
+        if (!at || same_name(all[at - 1].row->name, name))
+            return i;
+    }
 }
 
-static void add_table(const ix_builtin *t)
+static void add_row(const ix_builtin *row, ix_plugin_fn ext)
 {
-    for (; t && t->name && count < MAX_BUILTINS; t++) {
-        ix__bi *b = &all[count];
-        size_t i = find_slot(t->name);
+    const ix__bi *there;
+    size_t i = find_slot(row->name, &there);
+    size_t n = atomic_load_explicit(&count, memory_order_relaxed);
 
-        if (slot[i])
-            continue; /* the first one counts */
-        *b = (ix__bi){.row = t};
-        if (!ix__sig_parse(t->signature, &b->sig))
-            assert(!"malformed signature in a table of built-ins");
-        slot[i] = (unsigned short)++count;
-    }
+    if (there || n == MAX_BUILTINS)
+        return; /* the first one counts */
+    all[n] = (ix__bi){.row = row, .ext = ext};
+    if (!ix__sig_parse(row->signature, &all[n].sig))
+        assert(!"malformed signature in a table of built-ins");
+    atomic_store_explicit(&count, n + 1, memory_order_release);
+    atomic_store_explicit(&slot[i], (unsigned short)(n + 1),
+                          memory_order_release);
 }
 
 static void make_index(void)
 {
     for (size_t i = 0; i < NTABLES; i++)
-        add_table(tables[i]);
+        for (const ix_builtin *t = tables[i]; t->name; t++)
+            add_row(t, NULL);
 }
 
 const ix__bi *ix__bi_find(const char *name)
 {
-    size_t i;
+    const ix__bi *bi;
 
     (void)pthread_once(&once, make_index);
-    i = find_slot(name);
-    return slot[i] ? &all[slot[i] - 1] : NULL;
+    (void)find_slot(name, &bi);
+    return bi;
 }
 
 const ix_builtin *ix__builtin_find(const char *name)
@@ -134,7 +146,35 @@ const ix_builtin *ix__builtin_find(const char *name)
 const ix_builtin *ix__builtin_at(size_t i)
 {
     (void)pthread_once(&once, make_index);
-    return i < count ? all[i].row : NULL;
+    return i < atomic_load_explicit(&count, memory_order_acquire) ? all[i].row
+                                                                  : NULL;
+}
+
+static void append(const ix_plugin_row *r)
+{
+    ix_builtin *row = &ext_row[next_ext++];
+
+    *row = (ix_builtin){.name = r->name,
+                        .signature = r->signature,
+                        .summary = r->summary,
+                        .example = r->example,
+                        .flags = r->flags & IX_PLUGIN_SOFT,
+                        .chapter = r->chapter};
+    add_row(row, r->fn);
+}
+
+ix_status ix__bi_append(ix_ctx *ctx, const ix_plugin_row *rows, int n)
+{
+    bool room;
+
+    (void)pthread_mutex_lock(&appending);
+    room = n <= MAX_EXT - (int)next_ext && (size_t)n <= MAX_BUILTINS - count;
+    for (int i = 0; room && i < n; i++)
+        append(&rows[i]);
+    (void)pthread_mutex_unlock(&appending);
+    return room ? IX_OK
+                : IX_FAIL(ctx, IX_EUNABLE,
+                          "%d more functions: there is no room for so many", n);
 }
 
 /* --- constants ---------------------------------------------------------------

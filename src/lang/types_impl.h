@@ -30,6 +30,7 @@ typedef struct {
 /* A built-in with its compiled signature. */
 typedef struct {
     const ix_builtin *row;
+    ix_plugin_fn ext; /* of a plug-in: called instead of row->fn */
     ix__sig sig;
 } ix__bi;
 
@@ -84,6 +85,10 @@ ix_status ix__op_numbers(ix_interp *in, ix__op op, double l, double r,
 /* --- tables --------------------------------------------------------------- */
 /* A built-in by name (any case) with its signature; NULL: unknown. */
 const ix__bi *ix__bi_find(const char *name);
+/* Adds n checked rows, whose names are new, to those of the tables. Any number
+ * of threads may look names up meanwhile. Err IX_EUNABLE no room. */
+ix_status ix__bi_append(ix_ctx *ctx, const ix_plugin_row *rows,
+                        int n) IX_MUST_CHECK;
 /* Up to three known functions, or variables and constants, with names near to
  * name, as "A, B or C" into buf; false if none is near. */
 bool ix__names_near(ix_interp *in, const char *name, char *buf, size_t size);
