@@ -79,15 +79,22 @@ typedef struct {
     double cell;      /* boxes smaller than this part of the domain that stay
                          undecided are reported; 0: 1e-7 */
     size_t max_boxes; /* stop after so many boxes; 0: 10 million */
+    bool keep;        /* when interrupted, return IX_OK with what is proven so
+                         far, as with max_boxes, instead of IX_ECANCEL */
 } ix_solve_opts;
 
 typedef struct {
     int n, unknowns;
     ix_solution *sol; /* by increasing x[0], then x[1], ... */
-    bool complete;    /* false: max_boxes reached; what is open is reported as
-                         boxes that are not certified */
+    bool complete;    /* false: max_boxes reached, interrupted or crowded; what
+                         is open is reported as boxes that are not certified */
     size_t boxes;     /* looked at */
     size_t bytes;
+    bool interrupted; /* with the option keep */
+    bool crowded;     /* so many boxes stayed undecided that they are no longer
+                         isolated solutions: the equations share a curve, or
+                         nearly; the open boxes that cover it are larger than
+                         cell, the fewer the sooner */
 } ix_solutions;
 
 /* All common solutions of neq relations, of which as many equalities as there
@@ -96,7 +103,7 @@ typedef struct {
  * Out   *out    freed with ix_solutions_free
  * Err   IX_EARG     fewer equalities than unknowns, different domains or
  *                   directions, power basis
- *       IX_ECANCEL  interrupted
+ *       IX_ECANCEL  interrupted (without the option keep)
  * Num   a regular solution is certified (Krawczyk's test on its box) and
  *       polished by Newton to the accuracy of double; deterministic
  * Src   preconditioned domain reduction: Mourrain & Pavone 2009; uniqueness:
@@ -113,6 +120,7 @@ typedef struct {
                          the domain's longest edge; 0: 1e-4 */
     double cell;      /* as in ix_solve_opts; 0: 1e-6 */
     size_t max_boxes; /* 0: 1 million */
+    bool keep;        /* as in ix_solve_opts */
 } ix_curves_opts;
 
 typedef enum {
@@ -137,11 +145,16 @@ typedef struct {
     ix_solution *singular; /* points where the gradients are dependent, located
                               to their boxes: nodes, cusps, isolated points */
     int *arcs;             /* [nsingular]: arc ends that meet there */
-    bool complete;
+    bool complete; /* false: max_boxes reached, interrupted or crowded; what is
+                      open is reported as singular */
     size_t boxes, bytes;
+    bool interrupted; /* with the option keep */
+    bool crowded;     /* the gradients are dependent along a whole curve, as for
+                         a component that counts twice: the singular boxes that
+                         cover it are larger than cell */
 } ix_solution_curves;
 
-/* The solution set of neq >= unknowns - 1 equations (2 to 4 unknowns).
+/* The solution set of unknowns - 1 equations (2 to 4 unknowns).
  *
  * Err   as ix_solve
  * Num   every regular arc is found: cells on which one coordinate is proven to

@@ -5,11 +5,17 @@
 static void set_up(ix_ctx *ctx, const ix_mv *f, const ix_curves_opts *o,
                    const ix__patches *p, ix__curves *s)
 {
-    *s = (ix__curves){.ctx = ctx, .n = f->ndirs, .singular = {.ctx = ctx}};
-    s->cell = o && o->cell > 0 ? o->cell : 1e-6;
+    ix__task *t = &s->t;
+
+    *s = (ix__curves){.n = f->ndirs, .singular = {.ctx = ctx}};
+    *t = (ix__task){.ctx = ctx,
+                    .neq = f->ndirs - 1,
+                    .nall = f->ndirs - 1,
+                    .keep = o && o->keep};
+    t->cell = o && o->cell > 0 ? o->cell : 1e-6;
+    t->max_boxes = o && o->max_boxes ? o->max_boxes : 1000000;
     s->tol = o && o->tol > 0 ? o->tol : 1e-4;
-    s->max_boxes = o && o->max_boxes ? o->max_boxes : 1000000;
-    ix__patches_shape(p, &s->shape, s->edge);
+    ix__patches_shape(p, &t->shape, t->edge);
     for (int j = 0; j < s->n; j++) {
         s->lo[j] = p->sp[j].breaks[0];
         s->hi[j] = p->sp[j].breaks[p->sp[j].nspans];
@@ -34,14 +40,17 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                        neq, n);
     IX_TRY(ix__patches_make(ctx, neq, eq, &p));
     set_up(ctx, eq[0].f, o, &p, &s);
-    IX_SCRATCH(ctx, b.c, (size_t)neq * s.shape.size);
+    IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
     do {
-        ix__patches_take(&p, &s.shape, neq, idx, &b);
+        ix__patches_take(&p, &s.t.shape, neq, idx, &b);
         IX_TRY(ix__curves_patch(&s, &b));
     } while (ix__patches_next(&p, n, idx));
     out->unknowns = n;
-    out->boxes = s.boxes;
-    out->complete = s.boxes < s.max_boxes;
+    out->boxes = s.t.boxes;
+    out->interrupted = s.t.interrupted;
+    out->crowded = s.t.crowded;
+    out->complete = s.t.boxes < s.t.max_boxes && !s.t.interrupted &&
+                    !s.t.crowded;
     return ix__curves_link(&s, out);
 }
 

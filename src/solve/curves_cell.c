@@ -8,21 +8,21 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/contract.h"
 #include "solve/curves_impl.h"
 #include "solve/poly_roots.h"
+#include "solve/system_impl.h"
 
-#define UNIT      (DBL_EPSILON / 2)
-#define MAX_DEPTH 400
-#define NOISE     4   /* errors that a value may have and be called noise */
-#define MAX_FACE  256 /* points of one cell on its faces */
+#define UNIT     (DBL_EPSILON / 2)
+#define NOISE    4   /* errors that a value may have and be called noise */
+#define MAX_FACE 256 /* points of one cell on its faces */
 #define RATIO                                               \
     0.487373 /* halving away from dyadic numbers, where the \
                 interesting points of test cases lie */
 
 typedef struct ix__cells {
     ix__curves *s;
-    ix__box *stack;
-    int top, made; /* boxes of the stack that have tensors */
+    ix__stack stack;
     double *work, *face;
 } search;
 
@@ -35,7 +35,7 @@ typedef struct {
 
 static double *tensor(const ix__curves *s, const ix__box *b, int i)
 {
-    return b->c + (size_t)i * s->shape.size;
+    return b->c + (size_t)i * s->t.shape.size;
 }
 
 /* The i-th coordinate other than k. */
@@ -63,7 +63,7 @@ static void *grow(ix_ctx *ctx, const void *old, int used, int *cap, size_t size)
 ix_status ix__curves_add_pt(ix__curves *s, const double *x)
 {
     if (s->npts == s->pt_cap) {
-        s->pts = grow(s->ctx, s->pts, s->npts, &s->pt_cap, sizeof *s->pts);
+        s->pts = grow(s->t.ctx, s->pts, s->npts, &s->pt_cap, sizeof *s->pts);
         if (!s->pts)
             return IX_ENOMEM;
     }
@@ -74,7 +74,7 @@ ix_status ix__curves_add_pt(ix__curves *s, const double *x)
 ix_status ix__curves_add_arc(ix__curves *s, int first)
 {
     if (s->narcs == s->arc_cap) {
-        s->arc = grow(s->ctx, s->arc, s->narcs, &s->arc_cap, sizeof *s->arc);
+        s->arc = grow(s->t.ctx, s->arc, s->narcs, &s->arc_cap, sizeof *s->arc);
         if (!s->arc)
             return IX_ENOMEM;
     }
@@ -85,46 +85,15 @@ ix_status ix__curves_add_arc(ix__curves *s, int first)
 /* --- the test for a parameter
  * ---------------------------------------------------------- */
 
-static bool signs_allow(const ix__curves *s, const ix__box *b)
-{
-    for (int i = 0; i < s->n - 1; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
-        if (hi < -b->err[i] || lo > b->err[i])
-            return false;
-    }
-    return true;
-}
-
 /* Bound of |I - m J| over the cell, J the Jacobian without column k. */
-static double contraction(const ix__curves *s, const graph *g)
+static double contraction(const ix__curves *s, const graph *g, ix__mat m)
 {
-    int n = s->n - 1;
-    ix__mat low, high;
-    double worst = 0;
+    int dir[IX_MAX_UNKNOWNS];
 
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            ix__tensor_slope_range(&s->shape, tensor(s, g->b, i),
-                                   other(j, g->k), &low[i][j], &high[i][j]);
-    for (int i = 0; i < n; i++) {
-        double row = 0;
-
-        for (int j = 0; j < n; j++) {
-            double a = i == j, c = i == j;
-
-            for (int k = 0; k < n; k++) {
-                double w = g->m[i][k];
-
-                a -= w > 0 ? w * high[k][j] : w * low[k][j];
-                c -= w > 0 ? w * low[k][j] : w * high[k][j];
-            }
-            row += fmax(fabs(a), fabs(c));
-        }
-        worst = fmax(worst, row);
-    }
-    return worst;
+    for (int j = 0; j < s->n - 1; j++)
+        dir[j] = other(j, g->k);
+    return ix__contraction(&s->t.shape, s->n - 1, dir, g->b->c, g->b->err,
+                           g->b->mag, m);
 }
 
 /* Looks for a coordinate that is a parameter, the best conditioned first. */
@@ -134,7 +103,7 @@ static bool find_parameter(const ix__curves *s, const ix__box *b, graph *g)
     ix__mat jac;
 
     for (int i = 0; i < s->n - 1; i++)
-        ix__tensor_mean_gradient(&s->shape, tensor(s, b, i), jac[i]);
+        ix__tensor_mean_gradient(&s->t.shape, tensor(s, b, i), jac[i]);
     for (int k = 0; k < s->n; k++) {
         graph t = {.b = b, .k = k};
         ix__mat sub;
@@ -145,7 +114,7 @@ static bool find_parameter(const ix__curves *s, const ix__box *b, graph *g)
                 sub[i][j] = jac[i][other(j, k)];
         if (!ix__small_invert(s->n - 1, sub, t.m))
             continue;
-        lip = contraction(s, &t);
+        lip = contraction(s, &t, t.m);
         if (lip < best) {
             best = lip;
             *g = t;
@@ -167,7 +136,7 @@ static void matrix_at(search *q, const graph *g, const double *x, ix__mat m)
     for (int i = 0; i < s->n - 1; i++) {
         double grad[IX_MAX_UNKNOWNS];
 
-        ix__tensor_gradient(&s->shape, tensor(s, g->b, i), x, grad, q->work);
+        ix__tensor_gradient(&s->t.shape, tensor(s, g->b, i), x, grad, q->work);
         for (int j = 0; j < s->n - 1; j++)
             sub[i][j] = grad[other(j, g->k)];
     }
@@ -182,7 +151,7 @@ static double step(search *q, const graph *g, ix__mat m, double *x)
     double v[IX_MAX_UNKNOWNS], size = 0;
 
     for (int i = 0; i < s->n - 1; i++)
-        v[i] = ix__tensor_value(&s->shape, tensor(s, g->b, i), x, q->work);
+        v[i] = ix__tensor_value(&s->t.shape, tensor(s, g->b, i), x, q->work);
     for (int i = 0; i < s->n - 1; i++) {
         double d = 0;
 
@@ -245,10 +214,10 @@ static void to_global(const ix__curves *s, const ix__box *b, const double *x,
 static void take_layer(const ix__curves *s, const double *c, int j, bool high,
                        double *out)
 {
-    size_t inner = s->shape.stride[j], m = (size_t)s->shape.dims[j];
+    size_t inner = s->t.shape.stride[j], m = (size_t)s->t.shape.dims[j];
     const double *p = c + (high ? (m - 1) * inner : 0);
 
-    for (; p < c + s->shape.size; p += inner * m, out += inner)
+    for (; p < c + s->t.shape.size; p += inner * m, out += inner)
         memcpy(out, p, inner * sizeof *out);
 }
 
@@ -257,7 +226,7 @@ static void face_shape(const ix__curves *s, int j, ix__shape *f)
     int dims[IX_MAX_UNKNOWNS];
 
     for (int i = 0; i < s->n - 1; i++)
-        dims[i] = s->shape.dims[other(i, j)];
+        dims[i] = s->t.shape.dims[other(i, j)];
     ix__shape_init(f, s->n - 1, dims);
 }
 
@@ -287,14 +256,14 @@ static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
 {
     ix__curves *s = q->s;
-    ix_mark mk = ix__scratch_mark(s->ctx);
-    int d = s->shape.dims[1 - j] - 1;
+    ix_mark mk = ix__scratch_mark(s->t.ctx);
+    int d = s->t.shape.dims[1 - j] - 1;
     ix__poly_roots r;
     ix_status st;
     double y;
 
     take_layer(s, b->c, j, high, q->face);
-    st = ix__poly_roots_find(s->ctx, d, q->face, b->err[0], &r);
+    st = ix__poly_roots_find(s->t.ctx, d, q->face, b->err[0], &r);
     if (st == IX_OK && !r.vanishes) {
         y = 0;
         if (r.zeros0)
@@ -308,7 +277,7 @@ static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
         if (r.zeros1)
             *ok &= add_face_point(s, j, high, &y, list, count);
     }
-    ix__scratch_release(s->ctx, mk);
+    ix__scratch_release(s->t.ctx, mk);
     return st;
 }
 
@@ -317,35 +286,35 @@ static ix_status face_points(search *q, const ix__box *b, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
 {
     ix__curves *s = q->s;
-    ix_mark mk = ix__scratch_mark(s->ctx);
-    ix__found found = {.ctx = s->ctx};
-    ix__system sys = {.ctx = s->ctx,
-                      .n = s->n - 1,
-                      .neq = s->n - 1,
-                      .nall = s->n - 1,
-                      .cell = 1e-6,
-                      .max_boxes = 2000};
+    ix_mark mk = ix__scratch_mark(s->t.ctx);
+    ix__found found = {.ctx = s->t.ctx};
+    ix__system sys = {.n = s->n - 1,
+                      .t = {.ctx = s->t.ctx,
+                            .neq = s->n - 1,
+                            .nall = s->n - 1,
+                            .cell = 1e-6,
+                            .max_boxes = 2000}};
     ix__box f = {.c = q->face};
     ix_status st = IX_OK;
 
-    face_shape(s, j, &sys.shape);
+    face_shape(s, j, &sys.t.shape);
     for (int i = 0; i < s->n - 1; i++) {
-        sys.edge[i] = 1;
+        sys.t.edge[i] = 1;
         f.lo[i] = 0;
         f.hi[i] = 1;
         f.err[i] = b->err[i];
         take_layer(s, tensor(s, b, i), j, high,
-                   q->face + (size_t)i * sys.shape.size);
+                   q->face + (size_t)i * sys.t.shape.size);
     }
     st = ix__system_search(&sys, &f, &found);
     if (st == IX_OK)
-        st = ix__found_merge(&found, sys.n, sys.edge);
+        st = ix__found_merge(&found, sys.n, sys.t.edge);
     for (int i = 0; st == IX_OK && i < found.n; i++) {
         *ok &= (found.sol[i].certified || on_patch(s, b, j, high)) &&
                add_face_point(s, j, high, found.sol[i].x, list, count);
     }
-    *ok &= sys.boxes < sys.max_boxes;
-    ix__scratch_release(s->ctx, mk);
+    *ok &= sys.t.boxes < sys.t.max_boxes && !sys.t.crowded;
+    ix__scratch_release(s->t.ctx, mk);
     return st;
 }
 
@@ -384,7 +353,7 @@ static double sag(const ix__curves *s, const ix__box *b, const double *p,
     double d = 0, t = 0, len = 0, e[4], c[4];
 
     for (int j = 0; j < s->n; j++) {
-        double w = (b->hi[j] - b->lo[j]) / s->edge[j];
+        double w = (b->hi[j] - b->lo[j]) / s->t.edge[j];
 
         e[j] = (r[j] - p[j]) * w;
         c[j] = (x[j] - p[j]) * w;
@@ -482,92 +451,28 @@ static ix_status cell_arcs(search *q, const graph *g, bool *ok)
  * ----------------------------------------------------------------------------------
  */
 
-static ix_status report_singular(search *q, const ix__box *b)
-{
-    ix_solution r = {.certified = false};
-
-    for (int j = 0; j < q->s->n; j++) {
-        r.lo[j] = b->lo[j];
-        r.hi[j] = b->hi[j];
-        r.x[j] = 0.5 * (b->lo[j] + b->hi[j]);
-    }
-    return ix__found_add(&q->s->singular, &r);
-}
-
-static void cut(const ix__curves *s, ix__box *b, int j, double a, bool low)
-{
-    double m = b->lo[j] + a * (b->hi[j] - b->lo[j]);
-
-    for (int i = 0; i < s->n - 1; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
-        b->err[i] += 3 * s->shape.dims[j] * UNIT * fmax(-lo, hi);
-        ix__tensor_cut(&s->shape, tensor(s, b, i), j, a, low);
-    }
-    if (low)
-        b->lo[j] = m;
-    else
-        b->hi[j] = m;
-}
-
 /* Whether one of the equations is, on all of the cell, as small as its own
  * error: then smaller cells will not decide more. */
 static bool below_noise(const ix__curves *s, const ix__box *b)
 {
-    for (int i = 0; i < s->n - 1; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
-        if (fmax(-lo, hi) <= NOISE * b->err[i])
+    for (int i = 0; i < s->n - 1; i++)
+        if (b->mag[i] <= NOISE * b->err[i])
             return true;
-    }
     return false;
 }
 
-static ix_status halve(search *q)
+static ix_status examine(void *self)
 {
+    search *q = self;
     ix__curves *s = q->s;
-    ix__box *b = &q->stack[q->top], *c = b + 1;
-    size_t n = (size_t)(s->n - 1) * s->shape.size;
-    double len = 0, *keep;
-    int j = 0;
-
-    for (int i = 0; i < s->n; i++) {
-        double w = (b->hi[i] - b->lo[i]) / s->edge[i];
-
-        if (w > len) {
-            len = w;
-            j = i;
-        }
-    }
-    if (len <= s->cell || q->top + 1 >= MAX_DEPTH || below_noise(s, b)) {
-        q->top--;
-        return report_singular(q, b);
-    }
-    if (q->top + 1 == q->made) {
-        IX_SCRATCH(s->ctx, c->c, n);
-        q->made++;
-    }
-    keep = c->c;
-    *c = *b;
-    c->c = keep;
-    memcpy(c->c, b->c, n * sizeof *keep);
-    cut(s, b, j, RATIO, true);
-    cut(s, c, j, RATIO, false);
-    q->top++;
-    return IX_OK;
-}
-
-static ix_status examine(search *q)
-{
-    ix__curves *s = q->s;
-    ix__box *b = &q->stack[q->top];
+    ix__box *b = &q->stack.box[q->stack.top];
+    double len;
     graph g;
+    int j;
 
-    s->boxes++;
-    if (!signs_allow(s, b)) {
-        q->top--;
+    s->t.boxes++;
+    if (!ix__box_signs_allow(&s->t, b)) {
+        q->stack.top--;
         return IX_OK;
     }
     if (find_parameter(s, b, &g)) {
@@ -576,26 +481,30 @@ static ix_status examine(search *q)
 
         IX_TRY(cell_arcs(q, &g, &ok));
         if (ok) {
-            q->top--;
+            q->stack.top--;
             return IX_OK;
         }
         s->narcs = arcs;
         s->npts = pts;
     }
-    return halve(q);
+    j = ix__box_longest(&s->t, b, &len);
+    if (len <= s->t.cell || q->stack.top + 1 >= IX__MAX_DEPTH ||
+        below_noise(s, b)) {
+        q->stack.top--;
+        return ix__open_box(&s->t, b, &s->singular);
+    }
+    return ix__stack_halve(&s->t, &q->stack, j, RATIO);
 }
 
 static ix_status make_search(ix__curves *s)
 {
-    size_t n = (size_t)(s->n - 1) * s->shape.size;
+    size_t n = (size_t)(s->n - 1) * s->t.shape.size;
     search *q;
 
-    IX_SCRATCH_ZERO(s->ctx, q, 1);
-    IX_SCRATCH(s->ctx, q->stack, MAX_DEPTH);
-    q->made = 1;
-    IX_SCRATCH(s->ctx, q->work, 2 * s->shape.size);
-    IX_SCRATCH(s->ctx, q->face, n);
-    IX_SCRATCH(s->ctx, q->stack[0].c, n);
+    IX_SCRATCH_ZERO(s->t.ctx, q, 1);
+    IX_TRY(ix__stack_make(&s->t, &q->stack));
+    IX_SCRATCH(s->t.ctx, q->work, 2 * s->t.shape.size);
+    IX_SCRATCH(s->t.ctx, q->face, n);
     q->s = s;
     s->search = q;
     return IX_OK;
@@ -604,26 +513,12 @@ static ix_status make_search(ix__curves *s)
 ix_status ix__curves_patch(ix__curves *s, const ix__box *b)
 {
     search *q;
-    double *c;
 
     if (!s->search)
         IX_TRY(make_search(s));
     q = s->search;
-    q->top = 0;
     memcpy(s->patch_lo, b->lo, sizeof s->patch_lo);
     memcpy(s->patch_hi, b->hi, sizeof s->patch_hi);
-    c = q->stack[0].c;
-    memcpy(c, b->c, (size_t)(s->n - 1) * s->shape.size * sizeof *c);
-    q->stack[0] = *b;
-    q->stack[0].c = c;
-    while (q->top >= 0) {
-        if (s->boxes >= s->max_boxes) {
-            for (; q->top >= 0; q->top--)
-                IX_TRY(report_singular(q, &q->stack[q->top]));
-            break;
-        }
-        IX_TRY(examine(q));
-        IX_TRY(ix__poll(s->ctx));
-    }
-    return IX_OK;
+    ix__stack_start(&s->t, &q->stack, b);
+    return ix__stack_run(&s->t, &q->stack, examine, q, &s->singular);
 }

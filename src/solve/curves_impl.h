@@ -15,13 +15,11 @@ typedef struct {
 } ix__arc;
 
 typedef struct {
-    ix_ctx *ctx;
-    int n;           /* unknowns; n - 1 equations */
-    ix__shape shape; /* of a patch */
-    double edge[IX_MAX_UNKNOWNS], lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS];
+    ix__task t;
+    int n; /* unknowns; n - 1 equations */
+    double lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS]; /* the whole domain */
     double patch_lo[IX_MAX_UNKNOWNS], patch_hi[IX_MAX_UNKNOWNS];
-    double cell, tol;
-    size_t max_boxes, boxes;
+    double tol;
     ix__arc *arc;
     int narcs, arc_cap;
     ix__pt *pts;

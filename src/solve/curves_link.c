@@ -34,7 +34,7 @@ static double distance(const ix__curves *s, const double *a, const double *b)
     double d = 0;
 
     for (int j = 0; j < s->n; j++)
-        d = fmax(d, fabs(a[j] - b[j]) / s->edge[j]);
+        d = fmax(d, fabs(a[j] - b[j]) / s->t.edge[j]);
     return d;
 }
 
@@ -72,7 +72,7 @@ static int nearest(const links *l, int i, double tie)
     for (int k = i + 1; k < l->nends; k++) {
         const double *q = end_point(s, l->order[k]);
 
-        if (q[0] - p[0] > tie * s->edge[0])
+        if (q[0] - p[0] > tie * s->t.edge[0])
             break;
         if (l->partner[l->order[k]] < 0 && l->order[k] != (l->order[i] ^ 1) &&
             distance(s, p, q) < best) {
@@ -108,7 +108,7 @@ static int at_singular(const ix__curves *s, const double *p)
         bool in = true;
 
         for (int j = 0; in && j < s->n; j++) {
-            double pad = 2 * s->cell * s->edge[j] +
+            double pad = 2 * s->t.cell * s->t.edge[j] +
                          0.25 * (r->hi[j] - r->lo[j]);
 
             in = p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad;
@@ -153,7 +153,7 @@ static void drop_doubles(links *l)
             int b = l->order[k] / 2;
 
             if (end_point(s, l->order[k])[0] - end_point(s, l->order[i])[0] >
-                TIE * s->edge[0])
+                TIE * s->t.edge[0])
                 break;
             if (b != a && s->arc[b].n > 0 && same_arc(s, a, b)) {
                 s->arc[b].first = s->arc[a].first;
@@ -194,7 +194,7 @@ static void drop_inside(ix__curves *s)
 static bool on_boundary(const ix__curves *s, const double *p)
 {
     for (int j = 0; j < s->n; j++) {
-        double tie = TIE * s->edge[j];
+        double tie = TIE * s->t.edge[j];
 
         if (p[j] <= s->lo[j] + tie || p[j] >= s->hi[j] - tie)
             return true;
@@ -208,9 +208,9 @@ static bool near_box(const ix__curves *s, const ix_solution *r, const double *p)
     double size = 0;
 
     for (int j = 0; j < s->n; j++)
-        size = fmax(size, (r->hi[j] - r->lo[j]) / s->edge[j]);
+        size = fmax(size, (r->hi[j] - r->lo[j]) / s->t.edge[j]);
     for (int j = 0; j < s->n; j++) {
-        double pad = 2 * size * s->edge[j];
+        double pad = 2 * size * s->t.edge[j];
 
         if (!(p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad))
             return false;
@@ -253,11 +253,11 @@ static bool absorb_ends(links *l)
 static ix_status make_links(ix__curves *s, links *l)
 {
     *l = (links){.s = s, .nends = 2 * s->narcs};
-    IX_SCRATCH(s->ctx, l->order, l->nends);
-    IX_SCRATCH(s->ctx, l->partner, l->nends);
-    IX_SCRATCH(s->ctx, l->single, l->nends);
+    IX_SCRATCH(s->t.ctx, l->order, l->nends);
+    IX_SCRATCH(s->t.ctx, l->partner, l->nends);
+    IX_SCRATCH(s->t.ctx, l->single, l->nends);
     for (int round = 0; round < MAX_GROWTH; round++) {
-        IX_TRY(ix__found_merge(&s->singular, s->n, s->edge));
+        IX_TRY(ix__found_merge(&s->singular, s->n, s->t.edge));
         drop_inside(s);
         l->nends = 2 * s->narcs;
         for (int e = 0; e < l->nends; e++)
@@ -338,7 +338,7 @@ static ix_status allocate(ix__curves *s, ix_solution_curves *out, double **x)
                  ns * (sizeof *out->singular + sizeof *out->arcs);
     if (out->bytes == 0)
         return IX_OK;
-    p = ix__alloc(s->ctx, out->bytes);
+    p = ix__alloc(s->t.ctx, out->bytes);
     if (!p)
         return IX_ENOMEM;
     out->singular = (void *)p;
@@ -357,7 +357,7 @@ ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out)
     links l;
 
     IX_TRY(make_links(s, &l));
-    IX_SCRATCH_ZERO(s->ctx, w.used, s->narcs);
+    IX_SCRATCH_ZERO(s->t.ctx, w.used, s->narcs);
     IX_TRY(allocate(s, out, &w.x));
     for (int i = 0; i < s->singular.n; i++) {
         out->singular[i] = s->singular.sol[i];

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bsp/rows.h"
 #include "mv/mv.h"
 #include "solve/patches.h"
 
@@ -84,89 +85,79 @@ static ix_status common_spans(ix_ctx *ctx, int neq, const ix_equation *eq,
     return IX_OK;
 }
 
-/* Degree d to e > d along the middle of [outer][spans (d+1)][inner], one
- * degree at a time: c'_k = (k c_{k-1} + (d+1-k) c_k) / (d+1). */
-static void elevate_line(const double *c, int d, int e, size_t inner,
-                         double *out)
+/* [outer][n][inner] of B-spline coefficients to Bernstein ones of sp's degree
+ * in direction d. *steps counts roundings; a Bezier direction of that degree is
+ * taken as it is. */
+static ix_status decompose_dir(ix_ctx *ctx, const ix_dir *d, const ix_spans *sp,
+                               size_t outer, size_t inner, const double **in,
+                               double *steps)
 {
-    memcpy(out, c, (size_t)(d + 1) * inner * sizeof *out);
-    for (int m = d + 1; m <= e; m++)
-        for (int k = m; k >= 0; k--) {
-            double f = (double)k / m, g = 1 - f;
-            double *o = out + (size_t)k * inner;
+    ix_spans own = *sp;
+    size_t len, spans = (size_t)own.nspans;
+    double *c;
 
-            for (size_t i = 0; i < inner; i++)
-                o[i] = (k > 0 ? f * o[i - inner] : 0) + (k < m ? g * o[i] : 0);
-        }
+    own.degree = d->order - 1;
+    len = spans * (size_t)d->order;
+    if (d->basis != IX_BEZIER || own.nspans > 1) {
+        IX_SCRATCH(ctx, c, outer * len * inner);
+        IX_TRY(ix__spans_extract(ctx, d, &own, outer, inner, *in, c));
+        *in = c;
+        *steps += 4.0 * d->order;
+    }
+    if (own.degree < sp->degree) {
+        ix_rows up;
+
+        IX_SCRATCH(ctx, c, outer * spans * ((size_t)sp->degree + 1) * inner);
+        IX_TRY(ix__rows_raise(ctx, own.degree, sp->degree, &up));
+        ix__rows_apply(ctx, &up, d->order, outer * spans, inner, *in, c);
+        *in = c;
+        *steps += 4.0 * (sp->degree + 1);
+    }
+    return IX_OK;
 }
 
-static void elevate(const double *c, size_t lines, int d, int e, size_t inner,
-                    double *out)
-{
-    for (size_t l = 0; l < lines; l++)
-        elevate_line(c + l * (size_t)(d + 1) * inner, d, e, inner,
-                     out + l * (size_t)(e + 1) * inner);
-}
-
-/* One axis of f on the common spans; *steps counts roundings. */
+/* One axis of f on the common spans. */
 static ix_status decompose(ix_ctx *ctx, const ix_mv *f, int axis,
-                           const ix_spans *sp, double **out)
+                           const ix_spans *sp, double **out, double *steps)
 {
     const double *in = ix_mv_axis(f, axis);
     size_t inner = 1;
 
+    *steps = 0;
     for (int j = 0; j < f->ndirs; j++) {
-        ix_spans own = sp[j];
-        size_t outer = 1, len;
-        const double *line = in;
-        double *c, *e;
+        size_t outer = 1;
 
-        own.degree = f->dirs[j].order - 1;
         for (int k = j + 1; k < f->ndirs; k++)
             outer *= (size_t)f->dirs[k].length;
-        len = (size_t)own.nspans * ((size_t)own.degree + 1);
-        if (f->dirs[j].basis != IX_BEZIER || own.nspans > 1) {
-            IX_SCRATCH(ctx, c, outer * len * inner);
-            IX_TRY(
-                ix__spans_extract(ctx, &f->dirs[j], &own, outer, inner, in, c));
-            line = c;
-        }
-        if (own.degree < sp[j].degree) {
-            len = (size_t)own.nspans * ((size_t)sp[j].degree + 1);
-            IX_SCRATCH(ctx, e, outer * len * inner);
-            elevate(line, outer * (size_t)own.nspans, own.degree, sp[j].degree,
-                    inner, e);
-            line = e;
-        }
-        in = line;
-        inner *= len;
+        IX_TRY(
+            decompose_dir(ctx, &f->dirs[j], &sp[j], outer, inner, &in, steps));
+        inner *= (size_t)sp[j].nspans * ((size_t)sp[j].degree + 1);
     }
     IX_SCRATCH(ctx, *out, inner);
     memcpy(*out, in, inner * sizeof **out);
     return IX_OK;
 }
 
-/* Scales to size 1 (or -1 for "at most zero"); the error of the decomposition
- * is below 4 roundings for each order step. */
-static void normalise(ix__patches *p, int i, ix_relation rel)
+/* Scales by a power of 2, which is exact, to size 1/2 .. 1 ("at most zero":
+ * with the other sign), unless small coefficients become denormal. */
+static void normalise(ix__patches *p, int i, ix_relation rel, double steps)
 {
-    double lo, hi, m, steps = 0, *c = p->c[i];
+    double lo, hi, f, *c = p->c[i];
+    int e;
 
     ix__tensor_range(&p->whole, c, &lo, &hi);
-    m = fmax(-lo, hi);
-    if (!(m > 0))
-        m = 1;
-    for (size_t t = 0; t < p->whole.size; t++)
-        c[t] *= (rel == IX_AT_MOST_ZERO ? -1 : 1) / m;
-    for (int j = 0; j < p->whole.n; j++)
-        steps += 4.0 * (p->sp[j].degree + 1);
-    p->err[i] = steps * UNIT;
+    (void)frexp(fmax(-lo, hi), &e);
+    f = ldexp(rel == IX_AT_MOST_ZERO ? -1 : 1, -e / 2);
+    for (size_t t = 0; t < p->whole.size; t++) /* 2^-e itself may overflow */
+        c[t] = c[t] * f * ldexp(1, -e - -e / 2);
+    p->err[i] = steps * UNIT + DBL_MIN;
 }
 
 ix_status ix__patches_make(ix_ctx *ctx, int neq, const ix_equation *eq,
                            ix__patches *p)
 {
     int n = eq[0].f->ndirs, at = 0, dims[IX_MAX_UNKNOWNS];
+    double steps;
 
     for (int j = 0; j < n; j++) {
         IX_TRY(common_spans(ctx, neq, eq, j, &p->sp[j]));
@@ -177,8 +168,9 @@ ix_status ix__patches_make(ix_ctx *ctx, int neq, const ix_equation *eq,
         for (int i = 0; i < neq; i++) {
             if ((eq[i].rel != IX_EQUAL_ZERO) != pass)
                 continue;
-            IX_TRY(decompose(ctx, eq[i].f, eq[i].axis, p->sp, &p->c[at]));
-            normalise(p, at++, eq[i].rel);
+            IX_TRY(
+                decompose(ctx, eq[i].f, eq[i].axis, p->sp, &p->c[at], &steps));
+            normalise(p, at++, eq[i].rel, steps);
         }
     return IX_OK;
 }
@@ -190,6 +182,7 @@ void ix__patches_take(const ix__patches *p, const ix__shape *h, int nall,
     const ix__shape *w = &p->whole;
     size_t from = 0;
 
+    b->cuts = 0;
     for (int j = 0; j < h->n; j++) {
         from += (size_t)(idx[j] * h->dims[j]) * w->stride[j];
         b->lo[j] = p->sp[j].breaks[idx[j]];

@@ -4,9 +4,7 @@
 #define SOLVE_PATCHES_H
 
 #include "bsp/spans.h"
-#include "solve/system_impl.h"
-
-#define IX__MAX_EQS (3 * IX_MAX_UNKNOWNS)
+#include "solve/box.h"
 
 typedef struct {
     ix_spans sp[IX_MAX_UNKNOWNS]; /* common breakpoints and degrees */

@@ -7,6 +7,7 @@
 
 #include "mv/mv.h"
 #include "solve/patches.h"
+#include "solve/system_impl.h"
 
 static void residuals(const ix__patches *p, const ix__system *s, ix_solution *r,
                       ix__box *b, double *work)
@@ -22,13 +23,14 @@ static void residuals(const ix__patches *p, const ix__system *s, ix_solution *r,
             idx[j]++;
         x[j] = (r->x[j] - br[idx[j]]) / (br[idx[j] + 1] - br[idx[j]]);
     }
-    ix__patches_take(p, &s->shape, s->nall, idx, b);
+    ix__patches_take(p, &s->t.shape, s->t.nall, idx, b);
     r->residual = 0;
-    for (int i = 0; i < s->neq; i++)
-        r->residual = fmax(
-            r->residual,
-            fabs(ix__tensor_value(&s->shape, b->c + (size_t)i * s->shape.size,
-                                  x, work)));
+    for (int i = 0; i < s->t.neq; i++) {
+        const double *c = b->c + (size_t)i * s->t.shape.size;
+
+        r->residual = fmax(r->residual,
+                           fabs(ix__tensor_value(&s->t.shape, c, x, work)));
+    }
 }
 
 static ix_status give(ix_ctx *ctx, const ix__found *f, const ix__system *s,
@@ -37,8 +39,11 @@ static ix_status give(ix_ctx *ctx, const ix__found *f, const ix__system *s,
     size_t bytes = (size_t)f->n * sizeof *out->sol;
 
     out->unknowns = s->n;
-    out->boxes = s->boxes;
-    out->complete = s->boxes < s->max_boxes;
+    out->boxes = s->t.boxes;
+    out->interrupted = s->t.interrupted;
+    out->crowded = s->t.crowded;
+    out->complete = s->t.boxes < s->t.max_boxes && !s->t.interrupted &&
+                    !s->t.crowded;
     if (f->n == 0)
         return IX_OK;
     out->sol = ix__alloc(ctx, bytes);
@@ -53,12 +58,15 @@ static ix_status give(ix_ctx *ctx, const ix__found *f, const ix__system *s,
 static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
                    const ix_solve_opts *o, const ix__patches *p, ix__system *s)
 {
-    *s = (ix__system){.ctx = ctx, .n = eq[0].f->ndirs, .nall = neq};
-    s->cell = o && o->cell > 0 ? o->cell : 1e-7;
-    s->max_boxes = o && o->max_boxes ? o->max_boxes : 10000000;
+    ix__task *t = &s->t;
+
+    *s = (ix__system){.n = eq[0].f->ndirs};
+    *t = (ix__task){.ctx = ctx, .nall = neq, .keep = o && o->keep};
+    t->cell = o && o->cell > 0 ? o->cell : 1e-7;
+    t->max_boxes = o && o->max_boxes ? o->max_boxes : 10000000;
     for (int i = 0; i < neq; i++)
-        s->neq += eq[i].rel == IX_EQUAL_ZERO;
-    ix__patches_shape(p, &s->shape, s->edge);
+        t->neq += eq[i].rel == IX_EQUAL_ZERO;
+    ix__patches_shape(p, &t->shape, t->edge);
 }
 
 static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
@@ -74,13 +82,13 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
     IX_TRY(ix__patches_check(ctx, neq, eq, 0));
     IX_TRY(ix__patches_make(ctx, neq, eq, &p));
     set_up(ctx, neq, eq, o, &p, &s);
-    IX_SCRATCH(ctx, b.c, (size_t)neq * s.shape.size);
-    IX_SCRATCH(ctx, work, 2 * s.shape.size);
-    do {
-        ix__patches_take(&p, &s.shape, neq, idx, &b);
+    IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
+    IX_SCRATCH(ctx, work, 2 * s.t.shape.size);
+    do { /* after a budget or an interruption this reports whole patches */
+        ix__patches_take(&p, &s.t.shape, neq, idx, &b);
         IX_TRY(ix__system_search(&s, &b, &found));
-    } while (ix__patches_next(&p, s.n, idx) && s.boxes < s.max_boxes);
-    IX_TRY(ix__found_merge(&found, s.n, s.edge));
+    } while (ix__patches_next(&p, s.n, idx));
+    IX_TRY(ix__found_merge(&found, s.n, s.t.edge));
     for (int i = 0; i < found.n; i++)
         residuals(&p, &s, &found.sol[i], &b, work);
     return give(ctx, &found, &s, out);

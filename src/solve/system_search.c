@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/contract.h"
 #include "solve/system_impl.h"
 
-#define UNIT      (DBL_EPSILON / 2)
-#define MAX_DEPTH 400
-#define SHRUNK    0.7 /* a round that leaves more of every edge has stalled */
-#define NOISE     4   /* errors that a value may have and be called noise */
+#define UNIT   (DBL_EPSILON / 2)
+#define SHRUNK 0.7 /* a round that leaves more of every edge has stalled */
+#define NOISE  4   /* errors that a value may have and be called noise */
 #define THIN                                                                \
     1e-3 /* a box is not shrunk to less than this in one round, nor to      \
             less than this part of its longest edge: a thin box, or one as  \
@@ -22,88 +22,47 @@
 typedef struct ix__search {
     ix__system *sys;
     ix__found *found;
-    ix__box *stack; /* [MAX_DEPTH] */
-    int top, made;  /* boxes of the stack that have tensors */
-    double *g;      /* [n][size]: the preconditioned equations */
-    double *work;   /* [2 size] */
-    double *copy;   /* [n][size]: for the inflated box */
+    ix__stack stack;
+    ix__combined g[IX_MAX_UNKNOWNS]; /* the preconditioned equations */
+    ix__combined second;             /* the weakest one, improved */
+    double *work;                    /* [2 size] of second's shape */
+    double *copy;                    /* [n][size]: for the inflated box */
 } search;
 
 static double *tensor(const ix__system *s, const ix__box *b, int i)
 {
-    return b->c + (size_t)i * s->shape.size;
-}
-
-/* A de Casteljau pass of m layers commits at most 3 m roundings relative to
- * the largest coefficient. */
-static void add_rounding(const ix__system *s, ix__box *b, int j)
-{
-    for (int i = 0; i < s->nall; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
-        b->err[i] += 3 * s->shape.dims[j] * UNIT * fmax(-lo, hi);
-    }
-}
-
-static void shrink(const ix__system *s, ix__box *b, int j, double a, double e)
-{
-    double w = b->hi[j] - b->lo[j], lo = b->lo[j];
-
-    add_rounding(s, b, j);
-    for (int i = 0; i < s->nall; i++)
-        ix__tensor_restrict(&s->shape, tensor(s, b, i), j, a, e);
-    b->hi[j] = e < 1 ? lo + e * w : b->hi[j];
-    b->lo[j] = lo + a * w;
-}
-
-/* False if the signs of some relation exclude the box. */
-static bool signs_allow(const ix__system *s, const ix__box *b)
-{
-    for (int i = 0; i < s->nall; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&s->shape, tensor(s, b, i), &lo, &hi);
-        if (hi < -b->err[i] || (i < s->neq && lo > b->err[i]))
-            return false;
-    }
-    return true;
+    return b->c + (size_t)i * s->t.shape.size;
 }
 
 static void mean_jacobian(const ix__system *s, const ix__box *b, ix__mat jac)
 {
     for (int i = 0; i < s->n; i++)
-        ix__tensor_mean_gradient(&s->shape, tensor(s, b, i), jac[i]);
+        ix__tensor_mean_gradient(&s->t.shape, tensor(s, b, i), jac[i]);
 }
 
-/* g = m f for the first n equations; err[n] bounds its coefficients' error. */
-static void combine(search *q, const ix__box *b, ix__mat m, double *err)
+/* g = m f for the first n equations: n products and sums for each. */
+static void combine(search *q, const ix__box *b, ix__mat m)
 {
     const ix__system *s = q->sys;
-    size_t size = s->shape.size;
+    size_t size = s->t.shape.size;
 
     for (int i = 0; i < s->n; i++) {
-        double *g = q->g + (size_t)i * size;
+        ix__combined *g = &q->g[i];
 
-        memset(g, 0, size * sizeof *g);
-        err[i] = 0;
+        memset(g->c, 0, size * sizeof *g->c);
+        g->err = g->mag = 0;
         for (int k = 0; k < s->n; k++) {
             const double *f = tensor(s, b, k);
-            double w = m[i][k], lo, hi;
+            double w = m[i][k];
 
             if (w == 0)
                 continue;
             for (size_t t = 0; t < size; t++)
-                g[t] += w * f[t];
-            ix__tensor_range(&s->shape, f, &lo, &hi);
-            err[i] += fabs(w) * (b->err[k] + s->n * UNIT * fmax(-lo, hi));
+                g->c[t] += w * f[t];
+            g->err += fabs(w) * (b->err[k] + (s->n + 2) * UNIT * b->mag[k]);
+            g->mag += fabs(w) * b->mag[k];
         }
     }
-}
-
-static double part_of_domain(const ix__system *s, const ix__box *b, int j)
-{
-    return (b->hi[j] - b->lo[j]) / s->edge[j];
 }
 
 /* Widens [*a, *e] within [0, 1] to at least `least`, or THIN. */
@@ -117,76 +76,62 @@ static void keep_room(double *a, double *e, double least)
     *e = fmin(1, c + half);
 }
 
+/* Cuts the part [a, e] of the box that is left, where that is worth it. */
+static void cut_down(const ix__system *s, ix__box *b, double *a, double *e,
+                     bool *shrunk)
+{
+    double longest = 0;
+
+    for (int j = 0; j < s->n; j++)
+        longest = fmax(longest, (e[j] - a[j]) * ix__box_part(&s->t, b, j));
+    *shrunk = false;
+    for (int j = 0; j < s->n; j++) {
+        keep_room(a + j, e + j, THIN * longest / ix__box_part(&s->t, b, j));
+        if (e[j] - a[j] > SHRUNK)
+            continue;
+        ix__box_cut(&s->t, b, j, a[j], e[j]);
+        *shrunk = true;
+    }
+}
+
 /* Shrinks the box by equation g_i in direction j (its own when the
  * preconditioner is the inverse, else every one). False: no solution in it. */
-static bool reduce(search *q, ix__box *b, const double *err, bool diagonal,
-                   bool *shrunk)
+static bool reduce(search *q, ix__box *b, int ng, const ix__combined *g,
+                   bool diagonal, bool *shrunk)
 {
     const ix__system *s = q->sys;
-    double a[IX_MAX_UNKNOWNS] = {0}, e[IX_MAX_UNKNOWNS], longest = 0;
+    double a[IX_MAX_UNKNOWNS] = {0}, e[IX_MAX_UNKNOWNS];
 
     for (int j = 0; j < s->n; j++)
         e[j] = 1;
-    for (int i = 0; i < s->n; i++)
+    for (int i = 0; i < ng; i++)
         for (int j = 0; j < s->n; j++) {
             double x, y;
 
             if (diagonal && i != j)
                 continue;
-            if (!ix__tensor_clip(&s->shape, q->g + (size_t)i * s->shape.size,
-                                 err[i], j, &x, &y))
+            if (!ix__tensor_clip(&g[i].shape, g[i].c, g[i].err, j, &x, &y))
                 return false;
             a[j] = fmax(a[j], x);
             e[j] = fmin(e[j], y);
         }
-    for (int j = 0; j < s->n; j++) {
+    for (int j = 0; j < s->n; j++)
         if (a[j] > e[j])
             return false;
-        longest = fmax(longest, (e[j] - a[j]) * part_of_domain(s, b, j));
-    }
-    *shrunk = false;
-    for (int j = 0; j < s->n; j++) {
-        keep_room(a + j, e + j, THIN * longest / part_of_domain(s, b, j));
-        if (e[j] - a[j] > SHRUNK)
-            continue;
-        shrink(s, b, j, a[j], e[j]);
-        *shrunk = true;
-    }
+    cut_down(s, b, a, e, shrunk);
     return true;
 }
 
-/* Bound of the rows of |I - m f'| over the box whose tensors are f[n][size]:
- * the largest row sum. Below 1, m f is one-to-one there. */
-static double contraction(search *q, const double *f, ix__mat m)
+static double contraction(const search *q, const double *f, const double *err,
+                          const double *mag, ix__mat m)
 {
-    const ix__system *s = q->sys;
-    ix__mat low, high;
-    double worst = 0;
+    static const int dir[IX_MAX_UNKNOWNS] = {0, 1, 2, 3, 4, 5};
 
-    for (int k = 0; k < s->n; k++)
-        for (int j = 0; j < s->n; j++)
-            ix__tensor_slope_range(&s->shape, f + (size_t)k * s->shape.size, j,
-                                   &low[k][j], &high[k][j]);
-    for (int i = 0; i < s->n; i++) {
-        double row = 0;
-
-        for (int j = 0; j < s->n; j++) {
-            double a = i == j, c = i == j; /* range of (I - m f')_ij */
-
-            for (int k = 0; k < s->n; k++) {
-                double w = m[i][k];
-
-                a -= w > 0 ? w * high[k][j] : w * low[k][j];
-                c -= w > 0 ? w * low[k][j] : w * high[k][j];
-            }
-            row += fmax(fabs(a), fabs(c));
-        }
-        worst = fmax(worst, row);
-    }
-    return worst;
+    return ix__contraction(&q->sys->t.shape, q->sys->n, dir, f, err, mag, m);
 }
 
-/* step = m f(x); returns the bound of its error by the coefficients' errors. */
+/* step = m f(x); returns the bound of its error by the errors of the values
+ * (ferr, evaluation included) and the roundings of the n products. */
 static double newton_step(search *q, const double *f, const double *ferr,
                           ix__mat m, const double *x, double *step)
 {
@@ -194,7 +139,7 @@ static double newton_step(search *q, const double *f, const double *ferr,
     double v[IX_MAX_UNKNOWNS], err = 0;
 
     for (int k = 0; k < s->n; k++)
-        v[k] = ix__tensor_value(&s->shape, f + (size_t)k * s->shape.size, x,
+        v[k] = ix__tensor_value(&s->t.shape, f + (size_t)k * s->t.shape.size, x,
                                 q->work);
     for (int i = 0; i < s->n; i++) {
         double e = 0;
@@ -202,7 +147,7 @@ static double newton_step(search *q, const double *f, const double *ferr,
         step[i] = 0;
         for (int k = 0; k < s->n; k++) {
             step[i] += m[i][k] * v[k];
-            e += fabs(m[i][k]) * ferr[k];
+            e += fabs(m[i][k]) * (ferr[k] + (s->n + 1) * UNIT * fabs(v[k]));
         }
         err = fmax(err, e);
     }
@@ -224,8 +169,8 @@ static void jacobian_at(search *q, const double *f, const double *x,
     const ix__system *s = q->sys;
 
     for (int i = 0; i < s->n; i++)
-        ix__tensor_gradient(&s->shape, f + (size_t)i * s->shape.size, x, jac[i],
-                            q->work);
+        ix__tensor_gradient(&s->t.shape, f + (size_t)i * s->t.shape.size, x,
+                            jac[i], q->work);
 }
 
 /* Newton's method; where the Jacobian is singular, or to begin with, m stands
@@ -263,42 +208,49 @@ static double newton(search *q, const double *f, const double *ferr, ix__mat m,
 
 #define MARGIN 0.125 /* by which a box is inflated on each side */
 
-/* Tensors of the n equations on the box inflated by MARGIN. */
-static void inflate(search *q, const ix__box *b, double *ferr)
+/* Tensors of the n equations on the box inflated by MARGIN, their errors and
+ * sizes. Two passes of dims - 1 layers in each direction extrapolate, which
+ * multiplies errors by (1 + 2 MARGIN)^degree at most in each of them; another
+ * pass is for the evaluation at a point. */
+static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
 {
-    const ix__system *s = q->sys;
-    size_t size = s->shape.size;
+    const ix__shape *s = &q->sys->t.shape;
+    double grow = 1, layers = 0;
 
-    memcpy(q->copy, b->c, (size_t)s->n * size * sizeof *q->copy);
+    for (int j = 0; j < s->n; j++) {
+        for (int d = 1; d < s->dims[j]; d++)
+            grow *= (1 + 2 * MARGIN) * (1 + 2 * MARGIN);
+        layers += 3 * 3 * (s->dims[j] - 1);
+    }
+    memcpy(q->copy, b->c, (size_t)s->n * s->size * sizeof *q->copy);
     for (int k = 0; k < s->n; k++) {
-        double *f = q->copy + (size_t)k * size, lo, hi, grow = 1;
+        double *f = q->copy + (size_t)k * s->size, lo, hi;
 
-        for (int j = 0; j < s->n; j++) {
-            ix__tensor_restrict(&s->shape, f, j, -MARGIN, 1 + MARGIN);
-            /* extrapolation enlarges errors by (1 + 2 MARGIN)^(2 degree) */
-            grow *= pow(1 + 2 * MARGIN, 2.0 * (s->shape.dims[j] - 1));
-        }
-        ix__tensor_range(&s->shape, f, &lo, &hi);
-        ferr[k] = (b->err[k] +
-                   6 * s->shape.dims[0] * s->n * UNIT * fmax(-lo, hi)) *
-                  grow;
+        for (int j = 0; j < s->n; j++)
+            ix__tensor_restrict(s, f, j, -MARGIN, 1 + MARGIN);
+        ix__tensor_range(s, f, &lo, &hi);
+        mag[k] = fmax(fmax(-lo, hi), b->mag[k]);
+        ferr[k] = (b->err[k] + layers * UNIT * mag[k]) * grow;
     }
 }
 
 typedef enum { UNDECIDED, NONE, ONE } verdict;
 
-/* Whether the remaining relations hold at x (or cannot be excluded). */
-static bool checks_hold(search *q, const ix__box *b, const double *x)
+/* Whether the remaining relations hold at x, known to within radius (or cannot
+ * be excluded). 1e-12 of its size is what an equation counts as met with. */
+static bool checks_hold(search *q, const ix__box *b, const double *x,
+                        double radius)
 {
     const ix__system *s = q->sys;
 
-    for (int i = s->n; i < s->nall; i++) {
-        const double *c = tensor(s, b, i);
-        double v = ix__tensor_value(&s->shape, c, x, q->work), lo, hi, band;
+    for (int i = s->n; i < s->t.nall; i++) {
+        double v = ix__tensor_value(&s->t.shape, tensor(s, b, i), x, q->work);
+        double band = b->err[i] + 1e-12, slope = 0;
 
-        ix__tensor_range(&s->shape, c, &lo, &hi);
-        band = b->err[i] + 1e-12 + 8 * UNIT * fmax(-lo, hi);
-        if (v < -band || (i < s->neq && v > band))
+        for (int j = 0; j < s->n; j++)
+            slope += 2 * (s->t.shape.dims[j] - 1);
+        band += (slope * radius + 2 * slope * UNIT) * b->mag[i];
+        if (v < -band || (i < s->t.neq && v > band))
             return false;
     }
     return true;
@@ -312,8 +264,7 @@ static ix_status report_root(search *q, const ix__box *b, const double *x,
 
     for (int j = 0; j < s->n; j++) {
         double w = b->hi[j] - b->lo[j];
-        double pad = radius * w +
-                     2 * DBL_EPSILON * (fabs(b->lo[j]) + fabs(b->hi[j]));
+        double pad = radius * w + ix__box_drift(&s->t, b, j);
 
         r.x[j] = b->lo[j] + x[j] * w;
         r.lo[j] = r.x[j] - pad;
@@ -358,6 +309,8 @@ static ix_status find_the_one(search *q, const ix__box *b, const double *ferr,
         return IX_OK;
     }
     rest = newton(q, q->copy, ferr, m, x) / (1 - lip);
+    if (!(rest < MARGIN / 4)) /* could not be told from a neighbour's */
+        return IX_OK;
     for (int i = 0; i < s->n; i++) {
         if (!(x[i] - rest > 0 && x[i] + rest < 1))
             return IX_OK;
@@ -365,7 +318,7 @@ static ix_status find_the_one(search *q, const ix__box *b, const double *ferr,
     }
     *v = NONE;
     rest *= 1 + 2 * MARGIN;
-    if (!in_box(s, b, x, rest) || !checks_hold(q, b, x))
+    if (!in_box(s, b, x, rest) || !checks_hold(q, b, x, rest))
         return IX_OK;
     *v = ONE;
     return report_root(q, b, x, rest);
@@ -376,146 +329,160 @@ static ix_status find_the_one(search *q, const ix__box *b, const double *ferr,
 static ix_status unique(search *q, const ix__box *b, ix__mat inv, verdict *v)
 {
     const ix__system *s = q->sys;
-    double ferr[IX_MAX_UNKNOWNS], lip;
+    double ferr[IX_MAX_UNKNOWNS], mag[IX_MAX_UNKNOWNS], lip;
     ix__mat m;
 
-    if (!(contraction(q, b->c, inv) < 0.9))
+    if (!(contraction(q, b->c, b->err, b->mag, inv) < 0.9))
         return IX_OK;
     memcpy(m, inv, sizeof m);
-    inflate(q, b, ferr);
+    inflate(q, b, ferr, mag);
     for (int i = 0; i < s->n; i++)
         for (int k = 0; k < s->n; k++)
             m[i][k] /= 1 + 2 * MARGIN; /* for the inflated box's coordinates */
-    lip = contraction(q, q->copy, m);
+    lip = contraction(q, q->copy, ferr, mag, m);
     return lip < 0.9 ? find_the_one(q, b, ferr, m, lip, v) : IX_OK;
 }
 
-static int longest_edge(const ix__system *s, const ix__box *b, double *len)
+/* Whether a combination of the equations is, on all of the box, as small as
+ * its own error: then smaller boxes will not decide more. */
+static bool below_noise(int ng, const ix__combined *g)
 {
-    int best = 0;
-
-    *len = 0;
-    for (int j = 0; j < s->n; j++) {
-        double w = (b->hi[j] - b->lo[j]) / s->edge[j];
-
-        if (w > *len) {
-            *len = w;
-            best = j;
-        }
-    }
-    return best;
-}
-
-static ix_status report_open(search *q, const ix__box *b)
-{
-    const ix__system *s = q->sys;
-    ix_solution r = {.certified = false};
-
-    for (int j = 0; j < s->n; j++) {
-        r.lo[j] = b->lo[j];
-        r.hi[j] = b->hi[j];
-        r.x[j] = 0.5 * (b->lo[j] + b->hi[j]);
-    }
-    return ix__found_add(q->found, &r);
-}
-
-/* Whether some combination of the equations is, on all of the box, as small
- * as its own error: then smaller boxes will not decide more. */
-static bool below_noise(const search *q, const double *err)
-{
-    const ix__system *s = q->sys;
-
-    for (int i = 0; i < s->n; i++) {
+    for (int i = 0; i < ng; i++) {
         double lo, hi;
 
-        ix__tensor_range(&s->shape, q->g + (size_t)i * s->shape.size, &lo, &hi);
-        if (fmax(-lo, hi) <= NOISE * err[i])
+        ix__tensor_range(&g[i].shape, g[i].c, &lo, &hi);
+        if (fmax(-lo, hi) <= NOISE * g[i].err)
             return true;
     }
     return false;
 }
 
-static ix_status push_halves(search *q)
+/* The row of the shortest of n gradients. */
+static int weakest(int n, ix__mat grad)
+{
+    double least = HUGE_VAL;
+    int best = 0;
+
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+
+        for (int j = 0; j < n; j++)
+            sum += grad[i][j] * grad[i][j];
+        if (sum < least) {
+            least = sum;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* The system near a singular point: the equations rotated until their mean
+ * gradients are orthogonal, and the weakest freed of second-order terms. */
+static void resolve(search *q, const ix__box *b, ix__mat jac)
 {
     const ix__system *s = q->sys;
-    ix__box *b = &q->stack[q->top], *c = b + 1;
-    size_t n = (size_t)s->nall * s->shape.size;
-    double len, *keep;
-    int j = longest_edge(s, b, &len);
+    ix__mat u, grad;
 
-    if (len <= s->cell || q->top + 1 >= MAX_DEPTH) {
-        q->top--;
-        return report_open(q, b);
-    }
-    if (q->top + 1 == q->made) {
-        IX_SCRATCH(s->ctx, c->c, n);
-        q->made++;
-    }
-    keep = c->c;
-    *c = *b;
-    c->c = keep;
-    memcpy(c->c, b->c, n * sizeof *keep);
-    shrink(s, b, j, 0.5, 1);
-    shrink(s, c, j, 0, 0.5);
-    q->top++;
+    ix__small_left_vectors(s->n, jac, u);
+    combine(q, b, u);
+    for (int i = 0; i < s->n; i++)
+        ix__tensor_mean_gradient(&s->t.shape, q->g[i].c, grad[i]);
+    ix__second_order(s->n, q->g, weakest(s->n, grad), grad, q->work,
+                     &q->second);
+}
+
+/* What one round leaves of the box. */
+typedef enum { GONE, SMALLER, STALLED, NOISY } outcome;
+
+/* Where the preconditioned equations do not shrink the box. */
+static outcome look_closer(search *q, ix__box *b, ix__mat jac)
+{
+    bool shrunk;
+
+    resolve(q, b, jac);
+    if (!reduce(q, b, 1, &q->second, false, &shrunk))
+        return GONE;
+    if (shrunk)
+        return SMALLER;
+    return below_noise(1, &q->second) ? NOISY : STALLED;
+}
+
+#define CLOSE 0x1p-5 /* boxes smaller than this are worth a closer look */
+
+static ix_status shrink_round(search *q, ix__box *b, outcome *out)
+{
+    ix__system *s = q->sys;
+    verdict v = UNDECIDED;
+    bool regular, shrunk;
+    ix__mat jac, m;
+    double len;
+
+    *out = GONE;
+    s->t.boxes++;
+    if (!ix__box_signs_allow(&s->t, b))
+        return IX_OK;
+    mean_jacobian(s, b, jac);
+    regular = ix__small_invert(s->n, jac, m);
+    if (regular)
+        IX_TRY(unique(q, b, m, &v));
+    if (v != UNDECIDED)
+        return IX_OK;
+    if (!regular)
+        ix__small_left_vectors(s->n, jac, m);
+    combine(q, b, m);
+    if (!reduce(q, b, s->n, q->g, regular, &shrunk))
+        return IX_OK;
+    *out = shrunk ? SMALLER : STALLED;
+    if (!shrunk && below_noise(s->n, q->g))
+        *out = NOISY;
+    (void)ix__box_longest(&s->t, b, &len);
+    if (*out == STALLED && len < CLOSE && s->n > 1)
+        *out = look_closer(q, b, jac);
     return IX_OK;
 }
 
+#define MAX_ROUNDS 20
+
 /* Rounds of preconditioning and shrinking on the top box, then a decision. */
-static ix_status examine(search *q)
+static ix_status examine(void *self)
 {
-    ix__box *b = &q->stack[q->top];
-    const ix__system *s = q->sys;
-    double err[IX_MAX_UNKNOWNS];
+    search *q = self;
+    ix__box *b = &q->stack.box[q->stack.top];
+    ix__task *t = &q->sys->t;
+    outcome out = SMALLER;
+    double len;
+    int j;
 
-    for (int round = 0; round < 20; round++) {
-        ix__mat jac, m;
-        bool regular, shrunk;
-        verdict v;
-
-        q->sys->boxes++;
-        if (!signs_allow(s, b)) {
-            q->top--;
-            return IX_OK;
-        }
-        mean_jacobian(s, b, jac);
-        regular = ix__small_invert(s->n, jac, m);
-        v = UNDECIDED;
-        if (regular)
-            IX_TRY(unique(q, b, m, &v));
-        if (v != UNDECIDED) {
-            q->top--;
-            return IX_OK;
-        }
-        if (!regular)
-            ix__small_left_vectors(s->n, jac, m);
-        combine(q, b, m, err);
-        if (!reduce(q, b, err, regular, &shrunk)) {
-            q->top--;
-            return IX_OK;
-        }
-        if (!shrunk)
-            break;
+    for (int round = 0; out == SMALLER && round < MAX_ROUNDS; round++)
+        IX_TRY(shrink_round(q, b, &out));
+    if (out == GONE) {
+        q->stack.top--;
+        return IX_OK;
     }
-    if (below_noise(q, err)) {
-        q->top--;
-        return report_open(q, b);
+    j = ix__box_longest(t, b, &len);
+    if (out == NOISY || len <= t->cell || q->stack.top + 1 >= IX__MAX_DEPTH) {
+        q->stack.top--;
+        return ix__open_box(t, b, q->found);
     }
-    return push_halves(q);
+    return ix__stack_halve(t, &q->stack, j, 0.5);
 }
 
 static ix_status make_search(ix__system *sys)
 {
-    size_t size = sys->shape.size;
+    size_t size = sys->t.shape.size, more = 1;
     search *q;
 
-    IX_SCRATCH_ZERO(sys->ctx, q, 1);
-    IX_SCRATCH(sys->ctx, q->stack, MAX_DEPTH);
-    IX_SCRATCH(sys->ctx, q->stack[0].c, (size_t)sys->nall * size);
-    q->made = 1;
-    IX_SCRATCH(sys->ctx, q->g, (size_t)sys->n * size);
-    IX_SCRATCH(sys->ctx, q->copy, (size_t)sys->n * size);
-    IX_SCRATCH(sys->ctx, q->work, 2 * size);
+    for (int j = 0; j < sys->n; j++)
+        more *= (size_t)sys->t.shape.dims[j] + 1;
+    IX_SCRATCH_ZERO(sys->t.ctx, q, 1);
+    IX_TRY(ix__stack_make(&sys->t, &q->stack));
+    for (int i = 0; i < sys->n; i++) {
+        q->g[i].shape = sys->t.shape;
+        IX_SCRATCH(sys->t.ctx, q->g[i].c, size);
+    }
+    IX_SCRATCH(sys->t.ctx, q->copy, (size_t)sys->n * size);
+    IX_SCRATCH(sys->t.ctx, q->second.c, more);
+    IX_SCRATCH(sys->t.ctx, q->work, 2 * more);
     q->sys = sys;
     sys->search = q;
     return IX_OK;
@@ -524,25 +491,11 @@ static ix_status make_search(ix__system *sys)
 ix_status ix__system_search(ix__system *sys, const ix__box *b, ix__found *found)
 {
     search *q;
-    double *c;
 
     if (!sys->search)
         IX_TRY(make_search(sys));
     q = sys->search;
     q->found = found;
-    q->top = 0;
-    c = q->stack[0].c;
-    memcpy(c, b->c, (size_t)sys->nall * sys->shape.size * sizeof *c);
-    q->stack[0] = *b;
-    q->stack[0].c = c;
-    while (q->top >= 0) {
-        if (sys->boxes >= sys->max_boxes) {
-            for (; q->top >= 0; q->top--)
-                IX_TRY(report_open(q, &q->stack[q->top]));
-            break;
-        }
-        IX_TRY(examine(q));
-        IX_TRY(ix__poll(sys->ctx));
-    }
-    return IX_OK;
+    ix__stack_start(&sys->t, &q->stack, b);
+    return ix__stack_run(&sys->t, &q->stack, examine, q, found);
 }

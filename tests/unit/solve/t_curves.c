@@ -357,7 +357,7 @@ static void boundary_roots(void **state)
 
 static void errors(void **state)
 {
-    const ix_curves_opts few = {.max_boxes = 5};
+    ix_curves_opts few = {.max_boxes = 5};
     const char *const text[] = {"x^2 + y^2 - 1", "x - y"};
     static const volatile int stop = 1;
     double box[6][2];
@@ -378,18 +378,69 @@ static void errors(void **state)
     ix_solution_curves_free(ctx, &s);
     ix_ctx_set_cancel(ctx, &stop);
     assert_int_equal(ix_solve_curves(ctx, 1, eq, NULL, &s), IX_ECANCEL);
+    few = (ix_curves_opts){.keep = true};
+    ASSERT_OK(ctx, ix_solve_curves(ctx, 1, eq, &few, &s));
+    assert_true(s.interrupted);
+    assert_false(s.complete);
+    assert_int_equal(s.nsingular, 1);
+    assert_true(s.singular[0].lo[0] <= 0 && s.singular[0].hi[1] >= 1);
+    ix_solution_curves_free(ctx, &s);
     ix_ctx_set_cancel(ctx, NULL);
     for (int i = 0; i < 2; i++)
         ix_mv_unref(ctx, m[i]);
 }
 
+/* A component that counts twice, and surfaces that touch along a curve: said
+ * soon, the curve is in the singular boxes. */
+static void multiple_components(void **state)
+{
+    static const struct {
+        int n;
+        const char *eq[2];
+    } cases[] = {{2, {"(x^2 + y^2 - 1)^2"}},
+                 {2, {"(x^2 + y^2 - 1)^2*(x - 0.3)"}},
+                 {3, {"x^2 + y^2 - 1", "x^2 + y^2 + z^2 - 1"}},
+                 {3, {"x^2 + y^2 + z - 1", "(x^2 + y^2 + z - 1)*y"}}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        ix_solution_curves s;
+        double box[6][2];
+
+        fill(box, -1.2, 1.3);
+        s = trace_text(cases[i].n, cases[i].n - 1, cases[i].eq, box, NULL);
+        print_message("# %s, ...: %zu cells\n", cases[i].eq[0], s.boxes);
+        assert_true(s.crowded);
+        assert_false(s.complete);
+        assert_true(s.boxes < 20000);
+        for (int k = 0; k < 100; k++) {
+            double t[3] = {(cos(k) + 1.2) / 2.5, (sin(k) + 1.2) / 2.5,
+                           1.2 / 2.5};
+            int hit = 0;
+
+            for (int b = 0; b < s.nsingular && !hit; b++) {
+                hit = 1;
+                for (int j = 0; j < cases[i].n; j++)
+                    hit &= t[j] >= s.singular[b].lo[j] &&
+                           t[j] <= s.singular[b].hi[j];
+            }
+            assert_true(hit);
+        }
+        ix_solution_curves_free(ctx, &s);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(regular),        cmocka_unit_test(ellipses),
-        cmocka_unit_test(singular),       cmocka_unit_test(boundary),
-        cmocka_unit_test(knot_lines),     cmocka_unit_test(more_unknowns),
-        cmocka_unit_test(boundary_roots), cmocka_unit_test(errors)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(regular),
+                                       cmocka_unit_test(ellipses),
+                                       cmocka_unit_test(singular),
+                                       cmocka_unit_test(boundary),
+                                       cmocka_unit_test(knot_lines),
+                                       cmocka_unit_test(more_unknowns),
+                                       cmocka_unit_test(boundary_roots),
+                                       cmocka_unit_test(errors),
+                                       cmocka_unit_test(multiple_components)};
 
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -449,6 +449,20 @@ static void random_bicubics(void **state)
 /* --- budget, interruption, degenerate systems ------------------------------
  */
 
+/* Whether x (parts of the domain) lies in a box of s. */
+static int covered(const ix_solutions *s, const double *x)
+{
+    int hit = 0;
+
+    for (int i = 0; i < s->n && !hit; i++) {
+        hit = 1;
+        for (int j = 0; j < s->unknowns; j++)
+            hit &= x[j] >= s->sol[i].lo[j] - 1e-15 &&
+                   x[j] <= s->sol[i].hi[j] + 1e-15;
+    }
+    return hit;
+}
+
 /* max_boxes reached: what was proven is there, the rest is named as open and
  * covers every solution. */
 static void budget(void **state)
@@ -467,15 +481,7 @@ static void budget(void **state)
 
         assert_false(s.complete);
         for (int i = 0; i < all.n; i++) {
-            int hit = 0;
-
-            for (int k = 0; k < s.n && !hit; k++) {
-                hit = 1;
-                for (int j = 0; j < 2; j++)
-                    hit &= all.sol[i].x[j] >= s.sol[k].lo[j] - 1e-15 &&
-                           all.sol[i].x[j] <= s.sol[k].hi[j] + 1e-15;
-            }
-            if (!hit)
+            if (!covered(&s, all.sol[i].x))
                 fail_msg("budget %zu: solution %d is not covered", budget, i);
         }
         ix_solutions_free(ctx, &s);
@@ -483,24 +489,133 @@ static void budget(void **state)
     ix_solutions_free(ctx, &all);
 }
 
+static volatile int stop;
+
+/* Called by the first box's poll, and then every 0.1 s. */
+static void stop_now(void *ud, const char *what, double part)
+{
+    (void)ud;
+    (void)what;
+    (void)part;
+    stop = 1;
+}
+
+static ix_mv *with_knots(const char *text, double (*box)[2])
+{
+    static const double kv[2] = {0.25, 0.75};
+    ix_mv *m = st_mv(ctx, text, 2, box), *b;
+
+    ASSERT_OK(ctx, ix_mv_to_bspline(ctx, m, &b));
+    ix_mv_unref(ctx, m);
+    for (int j = 0; j < 2; j++) {
+        ASSERT_OK(ctx, ix_mv_insert_knots(ctx, b, j, 2, kv, &m));
+        ix_mv_unref(ctx, b);
+        b = m;
+    }
+    return b;
+}
+
+/* Interrupted after the first box of 9 patches: an error and nothing, or with
+ * the option keep what is proven, and the rest as open boxes. */
 static void interrupted(void **state)
 {
-    static const char *const text[] = {"x^2 + y^2 - 1", "x^2 + y^2 - 1"};
-    static const volatile int stop = 1;
+    static const char *const text[] = {"x*(x^2 - 0.7)", "y*(y^2 - 0.7)"};
+    ix_solve_opts o = {.keep = false};
+    ix_solutions all, s;
     double box[6][2];
     ix_equation eq[2];
-    ix_solutions s;
+    ix_mv *m[2];
 
     (void)state;
     fill(box, -1.2, 1.3);
-    for (int i = 0; i < 2; i++)
-        eq[i] = (ix_equation){st_mv(ctx, text[i], 2, box), 0, IX_EQUAL_ZERO};
+    for (int i = 0; i < 2; i++) {
+        m[i] = with_knots(text[i], box);
+        eq[i] = (ix_equation){m[i], 0, IX_EQUAL_ZERO};
+    }
+    ASSERT_OK(ctx, ix_solve(ctx, 2, eq, NULL, &all));
+    assert_int_equal(all.n, 9);
+    assert_false(all.interrupted);
     ix_ctx_set_cancel(ctx, &stop);
-    assert_int_equal(ix_solve(ctx, 2, eq, NULL, &s), IX_ECANCEL);
-    ix_ctx_set_cancel(ctx, NULL);
+    ix_ctx_set_progress(ctx, stop_now, NULL);
+    assert_int_equal(ix_solve(ctx, 2, eq, &o, &s), IX_ECANCEL);
     assert_int_equal(s.n, 0);
-    for (int i = 0; i < 2; i++)
-        ix_mv_unref(ctx, (ix_mv *)(uintptr_t)eq[i].f);
+    stop = 0;
+    o.keep = true;
+    ix_ctx_set_progress(ctx, NULL, NULL);
+    ix_ctx_set_progress(ctx, stop_now, NULL);
+    ASSERT_OK(ctx, ix_solve(ctx, 2, eq, &o, &s));
+    assert_true(s.interrupted);
+    assert_false(s.complete);
+    assert_int_equal(count_certified(&s), 1);
+    for (int i = 0; i < 9; i++)
+        assert_true(covered(&s, all.sol[i].x));
+    ix_solutions_free(ctx, &s);
+    ix_ctx_set_cancel(ctx, NULL);
+    ix_ctx_set_progress(ctx, NULL, NULL);
+    ix_solutions_free(ctx, &all);
+    ix_mv_unref(ctx, m[0]);
+    ix_mv_unref(ctx, m[1]);
+}
+
+/* A budget that ends in the first patches names the other ones as open. */
+static void budget_of_patches(void **state)
+{
+    static const char *const text[] = {"x*(x^2 - 0.7)", "y*(y^2 - 0.7)"};
+    ix_solutions all, s;
+    double box[6][2];
+    ix_equation eq[2];
+    ix_mv *m[2];
+
+    (void)state;
+    fill(box, -1.2, 1.3);
+    for (int i = 0; i < 2; i++) {
+        m[i] = with_knots(text[i], box);
+        eq[i] = (ix_equation){m[i], 0, IX_EQUAL_ZERO};
+    }
+    ASSERT_OK(ctx, ix_solve(ctx, 2, eq, NULL, &all));
+    for (size_t budget = 1; budget < all.boxes; budget += 2) {
+        const ix_solve_opts o = {.max_boxes = budget};
+
+        ASSERT_OK(ctx, ix_solve(ctx, 2, eq, &o, &s));
+        assert_false(s.complete);
+        for (int i = 0; i < all.n; i++)
+            if (!covered(&s, all.sol[i].x))
+                fail_msg("budget %zu: solution %d is lost", budget, i);
+        ix_solutions_free(ctx, &s);
+    }
+    ix_solutions_free(ctx, &all);
+    ix_mv_unref(ctx, m[0]);
+    ix_mv_unref(ctx, m[1]);
+}
+
+/* A common factor: the box count stays small, the regular solution is still
+ * certified, and the common curve lies in the open boxes. */
+static void common_factor(void **state)
+{
+    static const char *const text[2][3] = {
+        {"(x^2 + y^2 - 1)*(x - 1.3)", "(x^2 + y^2 - 1)*(y - 1.2)", ""},
+        {"x^2 + y^2 + z^2 - 1", "x - y", "(x - y)*z"}};
+
+    (void)state;
+    for (int c = 0; c < 2; c++) {
+        double box[6][2];
+        ix_solutions s;
+
+        fill(box, -2.1, 2.3);
+        s = solve_text(2 + c, 2 + c, text[c], box, NULL, NULL);
+        assert_true(s.crowded);
+        assert_false(s.complete);
+        assert_true(s.boxes < 20000);
+        assert_int_equal(count_certified(&s), c == 0);
+        for (int k = 0; k < 100; k++) {
+            double r = c ? sqrt(0.5) : 1, v = c ? cos(k) : sin(k);
+            double t[3] = {(r * cos(k) + 2.1) / 4.4, (r * v + 2.1) / 4.4,
+                           (sin(k) + 2.1) / 4.4};
+
+            assert_true(covered(&s, t));
+        }
+        ix_solutions_free(ctx, &s);
+    }
 }
 
 /* Coincident curves: within the budget, every box reported is open and the
@@ -636,6 +751,8 @@ int main(void)
                                        cmocka_unit_test(random_bicubics),
                                        cmocka_unit_test(budget),
                                        cmocka_unit_test(interrupted),
+                                       cmocka_unit_test(budget_of_patches),
+                                       cmocka_unit_test(common_factor),
                                        cmocka_unit_test(coincident),
                                        cmocka_unit_test(vanishing),
                                        cmocka_unit_test(errors),

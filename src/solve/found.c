@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "solve/system_impl.h"
+#include "solve/box.h"
 
 ix_status ix__found_add(ix__found *f, const ix_solution *s)
 {

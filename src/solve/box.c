@@ -1,0 +1,174 @@
+/* box.c - boxes, and the search by halving.
+ *
+ * Invariant: |true coefficient - stored one| <= err of its tensor, whatever
+ * has been done to the box since the equations were decomposed. */
+#include "solve/box.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define UNIT  (DBL_EPSILON / 2)
+#define CROWD 64 /* undecided boxes before the smallest size doubles */
+#define CROWDED \
+    8 /* doublings that tell a curve from many isolated, multiple roots */
+
+void ix__box_measure(const ix__task *t, ix__box *b)
+{
+    for (int i = 0; i < t->nall; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
+        b->mag[i] = fmax(-lo, hi);
+    }
+}
+
+bool ix__box_signs_allow(const ix__task *t, ix__box *b)
+{
+    for (int i = 0; i < t->nall; i++) {
+        double lo, hi;
+
+        ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
+        if (hi < -b->err[i] || (i < t->neq && lo > b->err[i]))
+            return false;
+        b->mag[i] = fmax(-lo, hi);
+    }
+    return true;
+}
+
+/* A de Casteljau pass of dims - 1 layers commits at most 3 roundings relative
+ * to the largest coefficient in each; up to two passes cut both ends. */
+void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e)
+{
+    double w = b->hi[j] - b->lo[j], lo = b->lo[j];
+    int passes = (a > 0) + (e < 1);
+
+    for (int i = 0; i < t->nall; i++) {
+        b->err[i] += 3 * passes * (t->shape.dims[j] - 1) * UNIT * b->mag[i];
+        ix__tensor_restrict(&t->shape, b->c + (size_t)i * t->shape.size, j, a,
+                            e);
+    }
+    b->hi[j] = e < 1 ? lo + e * w : b->hi[j];
+    b->lo[j] = a > 0 ? lo + a * w : lo;
+    b->cuts++;
+}
+
+double ix__box_part(const ix__task *t, const ix__box *b, int j)
+{
+    return (b->hi[j] - b->lo[j]) / t->edge[j];
+}
+
+int ix__box_longest(const ix__task *t, const ix__box *b, double *len)
+{
+    int best = 0;
+
+    *len = 0;
+    for (int j = 0; j < t->shape.n; j++) {
+        double w = ix__box_part(t, b, j);
+
+        if (w > *len) {
+            *len = w;
+            best = j;
+        }
+    }
+    return best;
+}
+
+double ix__box_drift(const ix__task *t, const ix__box *b, int j)
+{
+    double x = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
+
+    return UNIT * ((b->cuts + 4) * x + 12 * t->edge[j]);
+}
+
+ix_status ix__open_box(ix__task *t, const ix__box *b, ix__found *f)
+{
+    ix_solution r = {.certified = false};
+
+    for (int j = 0; j < t->shape.n; j++) {
+        double drift = ix__box_drift(t, b, j);
+
+        r.lo[j] = b->lo[j] - drift;
+        r.hi[j] = b->hi[j] + drift;
+        r.x[j] = 0.5 * (b->lo[j] + b->hi[j]);
+    }
+    if (++t->open % CROWD == 0) {
+        t->cell *= 2;
+        t->crowded |= t->open >= CROWD * CROWDED;
+    }
+    return ix__found_add(f, &r);
+}
+
+/* --- the stack ------------------------------------------------------------ */
+
+static size_t numbers(const ix__task *t)
+{
+    return (size_t)t->nall * t->shape.size;
+}
+
+ix_status ix__stack_make(const ix__task *t, ix__stack *k)
+{
+    IX_SCRATCH(t->ctx, k->box, IX__MAX_DEPTH);
+    IX_SCRATCH(t->ctx, k->box[0].c, numbers(t));
+    k->made = 1;
+    k->top = -1;
+    return IX_OK;
+}
+
+static void copy_box(const ix__task *t, const ix__box *from, ix__box *to)
+{
+    double *c = to->c;
+
+    *to = *from;
+    to->c = c;
+    memcpy(c, from->c, numbers(t) * sizeof *c);
+}
+
+void ix__stack_start(const ix__task *t, ix__stack *k, const ix__box *b)
+{
+    k->top = 0;
+    copy_box(t, b, &k->box[0]);
+    ix__box_measure(t, &k->box[0]);
+}
+
+ix_status ix__stack_halve(const ix__task *t, ix__stack *k, int j, double ratio)
+{
+    ix__box *b = &k->box[k->top], *c = b + 1;
+
+    if (k->top + 1 == k->made) {
+        IX_SCRATCH(t->ctx, c->c, numbers(t));
+        k->made++;
+    }
+    copy_box(t, b, c);
+    ix__box_cut(t, b, j, ratio, 1);
+    ix__box_cut(t, c, j, 0, ratio);
+    k->top++;
+    return IX_OK;
+}
+
+static ix_status report_rest(ix__task *t, ix__stack *k, ix__found *found)
+{
+    for (; k->top >= 0; k->top--)
+        IX_TRY(ix__open_box(t, &k->box[k->top], found));
+    return IX_OK;
+}
+
+ix_status ix__stack_run(ix__task *t, ix__stack *k,
+                        ix_status (*examine)(void *self), void *self,
+                        ix__found *found)
+{
+    while (k->top >= 0) {
+        ix_status st;
+
+        if (t->boxes >= t->max_boxes || t->interrupted)
+            return report_rest(t, k, found);
+        st = examine(self);
+        if (st == IX_OK)
+            st = ix__poll(t->ctx);
+        if (st == IX_ECANCEL && t->keep)
+            t->interrupted = true;
+        else if (st != IX_OK)
+            return st;
+    }
+    return IX_OK;
+}
