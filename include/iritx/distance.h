@@ -85,6 +85,26 @@ ix_status ix_crv_antipodal(ix_ctx *ctx, const ix_mv *c,
 ix_status ix_crv_bitangents(ix_ctx *ctx, const ix_mv *c,
                             ix_solutions *out) IX_MUST_CHECK;
 
+/* --- curves along each other ------------------------------------------------
+ */
+
+typedef enum {
+    IX_CRVS_SAME = 1, /* all of both */
+    IX_CRVS_OVERLAP,
+    IX_CRVS_DISTINCT
+} ix_crvs_relation;
+typedef struct {
+    ix_crvs_relation relation;
+    double a[2], b[2]; /* the overlap's ends on both (0 if there is none), b
+                          falling if the curves run against each other */
+} ix_overlap;
+
+/* Where two curves of at most 3 coordinates lie on each other within eps, over
+ * a length: the longest such part of a. Crossings and contacts do not count.
+ * Err IX_EARG not two such curves; eps negative. */
+ix_status ix_crv_overlap(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                         double eps, ix_overlap *out) IX_MUST_CHECK;
+
 /* --- intersections in space ------------------------------------------------
  */
 

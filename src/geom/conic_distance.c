@@ -24,82 +24,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/lines.h"
 #include "geom/parts.h"
 #include "geom/path.h"
-#include "iritx/geom.h"
+#include "geom/pool.h"
 #include "iritx/solve.h"
 #include "iritx/sym.h"
-
-/* Intermediate results, released together; after a failure all is NULL. */
-typedef struct {
-    ix_ctx *ctx;
-    ix_status st;
-    int n;
-    ix_mv *mv[96]; /* the expressions below need some 70 */
-} pool;
-
-/* A place for the next result, always NULL before. */
-static ix_mv **room(pool *q)
-{
-    return &q->mv[q->n];
-}
-
-/* What stands there, if making it went well. */
-static const ix_mv *made(pool *q, ix_status st)
-{
-    q->st = st;
-    return st == IX_OK ? q->mv[q->n++] : NULL;
-}
-
-typedef ix_status (*binary_fn)(ix_ctx *, const ix_mv *, const ix_mv *,
-                               const ix_sym_opts *, ix_mv **);
-
-static const ix_mv *apply(pool *q, binary_fn fn, const ix_mv *a, const ix_mv *b)
-{
-    if (q->st != IX_OK)
-        return NULL;
-    return made(q, fn(q->ctx, a, b, NULL, room(q)));
-}
-
-static const ix_mv *mul(pool *q, const ix_mv *a, const ix_mv *b)
-{
-    return apply(q, ix_sym_mul, a, b);
-}
-
-static const ix_mv *add(pool *q, const ix_mv *a, const ix_mv *b)
-{
-    return apply(q, ix_sym_add, a, b);
-}
-
-static const ix_mv *sub(pool *q, const ix_mv *a, const ix_mv *b)
-{
-    return apply(q, ix_sym_sub, a, b);
-}
-
-static const ix_mv *scale(pool *q, const ix_mv *a, double f)
-{
-    if (q->st != IX_OK)
-        return NULL;
-    return made(q, ix_sym_dot_vector(q->ctx, a, &f, room(q)));
-}
-
-static const ix_mv *derive(pool *q, const ix_mv *a)
-{
-    if (q->st != IX_OK)
-        return NULL;
-    return made(q, ix_sym_derive(q->ctx, a, 0, NULL, room(q)));
-}
-
-/* Axis k of a polynomial curve as a scalar. */
-static const ix_mv *axis(pool *q, const ix_mv *m, int k)
-{
-    double pick[IX_MAX_COORDS + 1] = {0};
-
-    if (q->st != IX_OK)
-        return NULL;
-    pick[k] = 1;
-    return made(q, ix_sym_dot_vector(q->ctx, m, pick, room(q)));
-}
 
 /* One curve: numerators, weight (NULL: 1) and tangent direction, first as
  * functions of its own parameter, then of both. */
@@ -107,27 +37,28 @@ typedef struct {
     const ix_mv *x, *y, *w, *tx, *ty;
 } side;
 
-static void load(pool *q, const ix_mv *crv, side *s)
+static void load(ix_pool *q, const ix_mv *crv, side *s)
 {
-    const ix_mv *p, *dw;
+    const ix_mv *dw;
 
     if (q->st != IX_OK)
         return;
-    p = made(q, ix__mv_relabel(q->ctx, crv, false, room(q)));
-    s->x = axis(q, p, crv->rational);
-    s->y = axis(q, p, crv->rational + 1);
-    s->tx = derive(q, s->x);
-    s->ty = derive(q, s->y);
+    s->x = ix__pool_axis(q, crv, crv->rational);
+    s->y = ix__pool_axis(q, crv, crv->rational + 1);
+    s->tx = ix__pool_derive(q, s->x, 0);
+    s->ty = ix__pool_derive(q, s->y, 0);
     if (!crv->rational)
         return;
-    s->w = axis(q, p, 0);
-    dw = derive(q, s->w);
-    s->tx = sub(q, mul(q, s->tx, s->w), mul(q, s->x, dw));
-    s->ty = sub(q, mul(q, s->ty, s->w), mul(q, s->y, dw));
+    s->w = ix__pool_axis(q, crv, 0);
+    dw = ix__pool_derive(q, s->w, 0);
+    s->tx = ix__pool_sub(q, ix__pool_mul(q, s->tx, s->w),
+                         ix__pool_mul(q, s->x, dw));
+    s->ty = ix__pool_sub(q, ix__pool_mul(q, s->ty, s->w),
+                         ix__pool_mul(q, s->y, dw));
 }
 
 /* f over both parameters; it depends on the first one, or on the second. */
-static const ix_mv *lift(pool *q, const ix_mv *f, const ix_mv *other,
+static const ix_mv *lift(ix_pool *q, const ix_mv *f, const ix_mv *other,
                          bool second)
 {
     const ix_mv *m;
@@ -135,13 +66,14 @@ static const ix_mv *lift(pool *q, const ix_mv *f, const ix_mv *other,
     if (q->st != IX_OK || !f)
         return NULL;
     q->st = ix__mv_product_domain(q->ctx, second ? other : f,
-                                  second ? f : other, room(q), room(q) + 1);
-    m = room(q)[second ? 1 : 0];
+                                  second ? f : other, ix__pool_room(q),
+                                  ix__pool_room(q) + 1);
+    m = ix__pool_room(q)[second ? 1 : 0];
     q->n += 2;
     return m;
 }
 
-static side lift_all(pool *q, const side *s, const ix_mv *other, bool second)
+static side lift_all(ix_pool *q, const side *s, const ix_mv *other, bool second)
 {
     return (side){.x = lift(q, s->x, other, second),
                   .y = lift(q, s->y, other, second),
@@ -151,29 +83,30 @@ static side lift_all(pool *q, const side *s, const ix_mv *other, bool second)
 }
 
 /* a times the weight w, if there is one. */
-static const ix_mv *weigh(pool *q, const ix_mv *a, const ix_mv *w)
+static const ix_mv *weigh(ix_pool *q, const ix_mv *a, const ix_mv *w)
 {
-    return w ? mul(q, a, w) : a;
+    return w ? ix__pool_mul(q, a, w) : a;
 }
 
-static const ix_mv *square(pool *q, const ix_mv *a)
+static const ix_mv *square(ix_pool *q, const ix_mv *a)
 {
-    return mul(q, a, a);
+    return ix__pool_mul(q, a, a);
 }
 
-static const ix_mv *dot(pool *q, const ix_mv *ax, const ix_mv *ay,
+static const ix_mv *dot(ix_pool *q, const ix_mv *ax, const ix_mv *ay,
                         const ix_mv *bx, const ix_mv *by)
 {
-    return add(q, mul(q, ax, bx), mul(q, ay, by));
+    return ix__pool_add(q, ix__pool_mul(q, ax, bx), ix__pool_mul(q, ay, by));
 }
 
-static const ix_mv *cross(pool *q, const ix_mv *ax, const ix_mv *ay,
+static const ix_mv *cross(ix_pool *q, const ix_mv *ax, const ix_mv *ay,
                           const ix_mv *bx, const ix_mv *by)
 {
-    return sub(q, mul(q, ax, by), mul(q, ay, bx));
+    return ix__pool_sub(q, ix__pool_mul(q, ax, by), ix__pool_mul(q, ay, bx));
 }
 
-static const ix_mv *field(pool *q, const ix_mv *c1, const ix_mv *c2, double sum)
+static const ix_mv *field(ix_pool *q, const ix_mv *c1, const ix_mv *c2,
+                          double sum)
 {
     side u = {0}, v = {0}, a, b;
     const ix_mv *dx, *dy, *d1, *d2, *e, *n, *g;
@@ -182,22 +115,23 @@ static const ix_mv *field(pool *q, const ix_mv *c1, const ix_mv *c2, double sum)
     load(q, c2, &v);
     a = lift_all(q, &u, v.x, false);
     b = lift_all(q, &v, u.x, true);
-    dx = sub(q, weigh(q, b.x, a.w), weigh(q, a.x, b.w));
-    dy = sub(q, weigh(q, b.y, a.w), weigh(q, a.y, b.w));
+    dx = ix__pool_sub(q, weigh(q, b.x, a.w), weigh(q, a.x, b.w));
+    dy = ix__pool_sub(q, weigh(q, b.y, a.w), weigh(q, a.y, b.w));
     d1 = dot(q, a.tx, a.ty, dx, dy);
     d2 = dot(q, b.tx, b.ty, dx, dy);
     e = dot(q, cross(q, a.tx, a.ty, dx, dy), d1, d2,
             cross(q, b.tx, b.ty, dx, dy));
-    n = add(q, mul(q, dot(q, a.tx, a.ty, a.tx, a.ty), square(q, d2)),
-            mul(q, dot(q, b.tx, b.ty, b.tx, b.ty), square(q, d1)));
+    n = ix__pool_add(
+        q, ix__pool_mul(q, dot(q, a.tx, a.ty, a.tx, a.ty), square(q, d2)),
+        ix__pool_mul(q, dot(q, b.tx, b.ty, b.tx, b.ty), square(q, d1)));
     n = weigh(q, weigh(q, n, a.w), a.w);
     n = weigh(q, weigh(q, n, b.w), b.w);
     g = cross(q, a.tx, a.ty, b.tx, b.ty);
     g = weigh(q, weigh(q, g, a.w), a.w);
     g = weigh(q, weigh(q, g, b.w), b.w);
-    g = scale(q, square(q, g), pow(sum, 4));
-    n = scale(q, n, 2 * sum * sum);
-    return add(q, sub(q, g, n), square(q, e));
+    g = ix__pool_scale(q, square(q, g), pow(sum, 4));
+    n = ix__pool_scale(q, n, 2 * sum * sum);
+    return ix__pool_add(q, ix__pool_sub(q, g, n), square(q, e));
 }
 
 static ix_status check(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
@@ -214,7 +148,7 @@ static ix_status check(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
 ix_status ix_conic_distance(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                             double sum, ix_mv **out)
 {
-    pool q = {.ctx = ctx};
+    ix_pool q = {.ctx = ctx};
     ix_mv *p[2] = {NULL};
     const ix_mv *f;
 
@@ -222,39 +156,13 @@ ix_status ix_conic_distance(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
     IX_TRY(check(ctx, c1, c2, sum));
     q.st = ix__mv_plain2(ctx, c1, c2, &p[0], &p[1]);
     f = q.st == IX_OK ? field(&q, p[0], p[1], sum) : NULL;
-    if (q.st == IX_OK)
-        *out = ix_mv_ref(f);
-    ix__mv_unref_all(ctx, q.mv, q.n);
     ix__mv_unref_all(ctx, p, 2);
-    return q.st;
+    return ix__pool_give(&q, f, out);
 }
 
 /* --- the locus
  * ----------------------------------------------------------------
  */
-
-void ix_lines_free(ix_ctx *ctx, ix_lines *l)
-{
-    ix__free(ctx, l->pt, l->bytes);
-    *l = (ix_lines){0};
-}
-
-/* Room for all vertices, in as many lines at most. */
-static ix_status lines_new(ix_ctx *ctx, size_t points, ix_lines *out)
-{
-    size_t bytes = points * (3 * sizeof(double) + sizeof(int));
-    char *block = points ? ix__alloc(ctx, bytes) : NULL;
-
-    *out = (ix_lines){0};
-    if (!points)
-        return IX_OK;
-    if (!block)
-        return IX_ENOMEM;
-    out->pt = (double(*)[3])(void *)block;
-    out->count = (int *)(void *)(out->pt + points);
-    out->bytes = bytes;
-    return IX_OK;
-}
 
 typedef struct {
     ix_path p[2];
@@ -299,7 +207,7 @@ static ix_status collect(ix_ctx *ctx, const locus *l,
 
     for (int i = 0; i < s->ncurves; i++)
         total += (size_t)s->curve[i].n;
-    IX_TRY(lines_new(ctx, total, out));
+    IX_TRY(ix__lines_new(ctx, total, out));
     for (int i = 0; i < s->ncurves; i++) {
         bool open = false;
 

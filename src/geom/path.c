@@ -240,6 +240,17 @@ double ix__path_size(const ix_path *p)
     return size;
 }
 
+bool ix__path_normal3(const ix_path *p, int span, double t, double out[3])
+{
+    double d[3][3], u[3] = {0}, n[3];
+
+    ix__path_derivs3(p, span, t, 2, d);
+    if (!(ix__unit3(d[1], u) > 0))
+        return false;
+    ix__axpy3(d[2], -ix__dot3(d[2], u), u, n);
+    return ix__len3(n) > 1e-12 * ix__len3(d[2]) && ix__unit3(n, out) > 0;
+}
+
 bool ix__path_is_corner(const ix_path *p, int s)
 {
     double a[3], b[3], t = p->breaks[s];

@@ -47,6 +47,11 @@ void ix__path_derivs3(const ix_path *p, int span, double t, int nder,
 bool ix__path_tangent3(const ix_path *p, int span, double t, bool at_end,
                        double out[3]);
 
+/* Unit principal normal of the first three coordinates at t, towards the centre
+ * of curvature; false if there is no tangent or no curvature (below 1e-12 of
+ * |C''| is rounding). */
+bool ix__path_normal3(const ix_path *p, int span, double t, double out[3]);
+
 /* IX_EDOMAIN unless all weights of the spans have one sign. */
 ix_status ix__path_no_poles(ix_ctx *ctx, const ix_path *p) IX_MUST_CHECK;
 

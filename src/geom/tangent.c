@@ -55,27 +55,9 @@ ix_status ix_tangent(ix_ctx *ctx, const ix_mv *crv, double t, bool unit,
     return st;
 }
 
-/* C'' made orthogonal to C': its direction is the principal normal. */
-static ix_status space_normal(ix_ctx *ctx, double (*d)[3], double t,
-                              double out[3])
-{
-    double u[3] = {0}, n[3], f;
-
-    if (!(ix__unit3(d[1], u) > 0))
-        return IX_FAIL(ctx, IX_EDOMAIN, "no normal at %g: C' is zero", t);
-    f = ix__dot3(d[2], u);
-    ix__axpy3(d[2], -f, u, n);
-    /* 1e-12: of |C''| the part across C' that rounding makes */
-    if (!(ix__len3(n) > 1e-12 * ix__len3(d[2])))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "no normal at %g: the curvature is zero", t);
-    ix__unit3(n, out);
-    return IX_OK;
-}
-
 static ix_status normal(ix_ctx *ctx, const ix_mv *crv, double t, double out[3])
 {
-    double d[3][3], u[3];
+    double u[3];
     ix_path p;
     int span;
 
@@ -92,8 +74,10 @@ static ix_status normal(ix_ctx *ctx, const ix_mv *crv, double t, double out[3])
         out[2] = 0;
         return IX_OK;
     }
-    ix__path_derivs3(&p, span, t, 2, d);
-    return space_normal(ctx, d, t, out);
+    if (!ix__path_normal3(&p, span, t, out))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "no normal at %g: C' or the curvature is zero", t);
+    return IX_OK;
 }
 
 ix_status ix_normal(ix_ctx *ctx, const ix_mv *crv, double t, double out[3])

@@ -290,6 +290,25 @@ ix_status ix__ret_vector(ix_call *c, const double v[3])
     return ix__ret(c, ix__obj_vector(c->ctx, v));
 }
 
+ix_status ix__ret_lines(ix_call *c, const ix_lines *l, ix_poly_kind kind)
+{
+    ix_poly *p = ix__poly_new(c->ctx, l->n);
+    ix_status st = p ? IX_OK : IX_ENOMEM;
+    size_t at = 0;
+
+    for (int i = 0; st == IX_OK && i < l->n; i++) {
+        p->poly[i].kind = kind;
+        st = ix__poly_vertices(c->ctx, &p->poly[i], l->count[i]);
+        for (int v = 0; st == IX_OK && v < l->count[i]; v++)
+            memcpy(p->poly[i].v[v].p, l->pt[at++], sizeof l->pt[0]);
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_poly(c->ctx, p));
+    if (p)
+        ix__poly_unref(c->ctx, p);
+    return st;
+}
+
 static ix_status trim_curve(ix_ctx *ctx, const ix_trimsrf *t,
                             const ix_trimseg *s, bool param, ix_mv **out)
 {

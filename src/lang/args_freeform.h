@@ -4,6 +4,7 @@
 #ifndef LANG_ARGS_FREEFORM_H
 #define LANG_ARGS_FREEFORM_H
 
+#include "iritx/geom.h"
 #include "iritx/solve.h"
 #include "lang/builtin.h"
 #include "lang/codes.h"
@@ -69,6 +70,9 @@ ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational,
 /* The trimming curves as a list, in the parameter plane or on the surface. */
 ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t,
                               bool param) IX_MUST_CHECK;
+/* Lines, or polygons, as one object. */
+ix_status ix__ret_lines(ix_call *c, const ix_lines *l,
+                        ix_poly_kind kind) IX_MUST_CHECK;
 /* Solution curves over two parameters as polylines in the parameter plane (m
  * NULL) or on m; no value if there is none. */
 ix_status ix__ret_contours(ix_call *c, const ix_solution_curves *s,

@@ -75,6 +75,8 @@ extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_distance[];
 extern const ix_builtin ix__builtins_meet[];
 extern const ix_builtin ix__builtins_solve[];
+extern const ix_builtin ix__builtins_offset[];
+extern const ix_builtin ix__builtins_enclose[];
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------

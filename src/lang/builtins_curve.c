@@ -190,26 +190,6 @@ static ix_status pinterp(ix_call *c)
  * -------------------------------------------------------
  */
 
-/* The lines as one object of polylines. */
-static ix_status ret_lines(ix_call *c, const ix_lines *l)
-{
-    ix_poly *p = ix__poly_new(c->ctx, l->n);
-    ix_status st = p ? IX_OK : IX_ENOMEM;
-    size_t at = 0;
-
-    for (int i = 0; st == IX_OK && i < l->n; i++) {
-        p->poly[i].kind = IX_POLYLINE;
-        st = ix__poly_vertices(c->ctx, &p->poly[i], l->count[i]);
-        for (int v = 0; st == IX_OK && v < l->count[i]; v++)
-            memcpy(p->poly[i].v[v].p, l->pt[at++], sizeof l->pt[0]);
-    }
-    if (st == IX_OK)
-        return ix__ret(c, ix__obj_poly(c->ctx, p));
-    if (p)
-        ix__poly_unref(c->ctx, p);
-    return st;
-}
-
 /* Two curves: argument 2 the sum of distances, 3 what is wanted. */
 static ix_status conic_of_curves(ix_call *c)
 {
@@ -235,7 +215,7 @@ static ix_status conic_of_curves(ix_call *c)
     fineness = fineness >= 1 ? fineness : 1;
     IX_TRY(ix_conic_locus(c->ctx, crv[0], crv[1], ix__arg_num(c, 2), mode == 2,
                           1 / (8 * fineness * fineness), &l));
-    st = ret_lines(c, &l);
+    st = ix__ret_lines(c, &l, IX_POLYLINE);
     ix_lines_free(c->ctx, &l);
     return st;
 }

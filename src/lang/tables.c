@@ -57,6 +57,8 @@ static const ix_builtin *const tables[] = {
     ix__builtins_distance,
     ix__builtins_meet,
     ix__builtins_solve,
+    ix__builtins_offset,
+    ix__builtins_enclose,
     ix__builtins_startup,
 };
 #define NTABLES (sizeof tables / sizeof *tables)

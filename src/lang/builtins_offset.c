@@ -1,0 +1,259 @@
+/* builtins_offset.c - chapter 20: curves and surfaces at a distance. */
+#include <math.h>
+#include <string.h>
+
+#include "iritx/offset.h"
+#include "lang/args_freeform.h"
+#include "lang/interp.h"
+
+/* --- one offset ------------------------------------------------------------
+ */
+
+static void remark_error(ix_call *c, double err, double tol)
+{
+    if (!(err <= tol))
+        ix__remark(c->in,
+                   "the offset is off by up to %g: the normal changes sides, "
+                   "or too many knots would be needed",
+                   err);
+}
+
+/* A number or a scalar curve as the distance. */
+static void arg_distance(ix_call *c, int i, ix_offset_opts *o)
+{
+    if (c->argv[i]->type == IX_OBJ_CURVE)
+        o->field = ix__arg_mv(c, i);
+    else
+        o->distance = ix__arg_num(c, i);
+}
+
+static ix_status arg_tolerance(ix_call *c, int i, double *tol)
+{
+    *tol = ix__arg_num(c, i);
+    if (!(*tol > 0))
+        return IX_ARG_FAIL(c, i, "a tolerance of %g; it must be positive",
+                           *tol);
+    return IX_OK;
+}
+
+static ix_status curve_offset(ix_call *c, const ix_offset_opts *o, ix_mv **out)
+{
+    double err;
+
+    IX_TRY(ix_crv_offset(c->ctx, ix__arg_mv(c, 0), o, &err, out));
+    remark_error(c, err, o->tol);
+    return IX_OK;
+}
+
+static ix_status surface_offset(ix_call *c, const ix_mv *s, double tol,
+                                ix_mv **out)
+{
+    double err;
+
+    if (c->argv[1]->type != IX_OBJ_NUMBER)
+        return IX_ARG_FAIL(c, 1,
+                           "a curve; the distance of a surface is a number");
+    IX_TRY(ix_srf_offset(c->ctx, s, ix__arg_num(c, 1), tol, &err, out));
+    remark_error(c, err, tol);
+    return IX_OK;
+}
+
+/* The same trimming curves on the offset surface. */
+static ix_status trimmed_offset(ix_call *c, double tol)
+{
+    const ix_trimsrf *t = c->argv[0]->u.trim.item[0];
+    ix_trimsrf *copy;
+    ix_status st = IX_OK;
+    ix_mv *s;
+
+    IX_TRY(surface_offset(c, t->srf, tol, &s));
+    copy = ix__trimsrf_new(c->ctx, s, t->nloops);
+    ix_mv_unref(c->ctx, s);
+    if (!copy)
+        return IX_ENOMEM;
+    for (int l = 0; st == IX_OK && l < t->nloops; l++) {
+        st = ix__trimloop_segs(c->ctx, &copy->loop[l], t->loop[l].n);
+        for (int k = 0; st == IX_OK && k < t->loop[l].n; k++)
+            copy->loop[l].seg[k].uv = ix_mv_ref(t->loop[l].seg[k].uv);
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_trimsrf(c->ctx, copy));
+    ix__trimsrf_unref(c->ctx, copy);
+    return st;
+}
+
+static ix_status offset(ix_call *c)
+{
+    ix_offset_opts o = {.interpolate = ix__arg_bool(c, 3)};
+    ix_mv *out;
+
+    IX_TRY(arg_tolerance(c, 2, &o.tol));
+    if (c->argv[0]->type == IX_OBJ_TRIMSRF)
+        return trimmed_offset(c, o.tol);
+    if (c->argv[0]->type == IX_OBJ_SURFACE) {
+        IX_TRY(surface_offset(c, ix__arg_mv(c, 0), o.tol, &out));
+        return ix__ret_mv(c, 0, out);
+    }
+    arg_distance(c, 1, &o);
+    IX_TRY(curve_offset(c, &o, &out));
+    return ix__ret_mv(c, 0, out);
+}
+
+/* --- trimmed ones
+ * ------------------------------------------------------------ */
+
+/* The pieces as a list. */
+static ix_status ret_pieces(ix_call *c, const ix_crvs *p)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < p->n; i++)
+        st = ix__list_add(
+            c->ctx, list,
+            ix__obj_mv(c->ctx, IX_OBJ_CURVE, ix_mv_ref(p->crv[i])));
+    return ix__ret_list(c, list, st);
+}
+
+/* The pieces end to end as one curve. */
+static ix_status merged(ix_call *c, const ix_crvs *p, ix_mv **out)
+{
+    ix_mv *sum = ix_mv_ref(p->crv[0]), *next;
+
+    for (int i = 1; i < p->n; i++) {
+        ix_status st = ix_mv_merge(c->ctx, sum, p->crv[i], 0, IX_JOIN_SHARED,
+                                   &next);
+
+        ix_mv_unref(c->ctx, sum);
+        IX_TRY(st);
+        sum = next;
+    }
+    *out = sum;
+    return IX_OK;
+}
+
+/* Loops of off nearer than the distance, less four times the tolerance, cut
+ * out. */
+static ix_status without_loops(ix_call *c, const ix_offset_opts *o, ix_mv *off)
+{
+    double amount = fabs(o->distance) - 4 * o->tol;
+    ix_status st;
+    ix_mv *out;
+    ix_crvs p;
+
+    if (o->field)
+        return IX_ARG_FAIL(c, 3,
+                           "trimming with a distance that varies; it must be "
+                           "off");
+    IX_TRY(ix_offset_trim(c->ctx, ix__arg_mv(c, 0), off, amount, &p));
+    st = p.n ? merged(c, &p, &out) : IX_OK;
+    if (st == IX_OK && p.n)
+        st = ix__ret_mv(c, 0, out);
+    ix_crvs_free(c->ctx, &p);
+    return st;
+}
+
+static ix_status aoffset(ix_call *c)
+{
+    ix_offset_opts o = {.interpolate = ix__arg_bool(c, 4)};
+    ix_status st;
+    ix_mv *out;
+
+    IX_TRY(arg_tolerance(c, 2, &o.tol));
+    arg_distance(c, 1, &o);
+    IX_TRY(curve_offset(c, &o, &out));
+    if (!ix__arg_bool(c, 3))
+        return ix__ret_mv(c, 0, out);
+    st = without_loops(c, &o, out);
+    ix_mv_unref(c->ctx, out);
+    return st;
+}
+
+static ix_status loffset(ix_call *c)
+{
+    int samples, size, order;
+    ix_mv *out;
+
+    IX_TRY(ix__arg_int(c, 2, 2, 1 << 20, &samples));
+    IX_TRY(ix__arg_int(c, 3, 2, samples, &size));
+    IX_TRY(ix__arg_int(c, 4, 2, size, &order));
+    IX_TRY(ix_crv_offset_fit(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1),
+                             samples, size, order, NULL, &out));
+    return ix__ret_mv(c, 0, out);
+}
+
+static ix_status toffset(ix_call *c)
+{
+    ix_status st;
+    double *v;
+    ix_crvs p;
+    int n;
+
+    IX_TRY(ix__arg_nums(c, 2, &n, &v));
+    if (n < 3)
+        return IX_ARG_FAIL(c, 2,
+                           "%d parameters; list(method, tolerance, trimming "
+                           "distance, numeric tolerance) is wanted",
+                           n);
+    IX_TRY(
+        ix_offset_trim(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1), v[2], &p));
+    st = ret_pieces(c, &p);
+    ix_crvs_free(c->ctx, &p);
+    return st;
+}
+
+static ix_status iloffset(ix_call *c)
+{
+    ix_obj *list;
+    double *ends;
+    ix_status st;
+    int n;
+
+    IX_TRY(
+        ix_offset_loops(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1), &ends, &n));
+    if (n == 0)
+        return IX_OK;
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < n; i++) {
+        const double p[3] = {ends[2 * i], ends[2 * i + 1], 0};
+
+        st = ix__list_add(c->ctx, list, ix__obj_point(c->ctx, p));
+    }
+    ix_offset_loops_free(c->ctx, ends, n);
+    return ix__ret_list(c, list, st);
+}
+
+#define C "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2), ctlpt(E2,2,0))); "
+
+const ix_builtin ix__builtins_offset[] = {
+    {"OFFSET",
+     "x:curve|surface|trimsrf d:num|curve tol:num interp:bool -> "
+     "curve|surface|trimsrf",
+     "The curve or surface at the distance d, within tol: plane curves to the "
+     "right of their direction, curves of three coordinates towards their "
+     "centre of curvature, surfaces along SNORMAL. Control points are moved "
+     "and knots inserted; with interp a polynomial through offset points. d "
+     "may be a scalar curve. Corners are bridged.",
+     C "o = offset(c, 0.1, 0.001, off);", offset, 0, 20},
+    {"AOFFSET", "c:curve d:num|curve eps:num trim:bool interp:bool -> curve",
+     "As OFFSET of a curve; with trim on, loops nearer than d (less four times "
+     "eps) are cut out and the rest joined. No value if nothing is left.",
+     C "o = aoffset(c, -0.5, 0.001, true, false);", aoffset, 0, 20},
+    {"LOFFSET", "c:curve d:num samples:num size:num order:num -> curve",
+     "The B-spline of an order and a number of control points nearest, in the "
+     "sense of least squares, to samples of the exact offset.",
+     C "o = loffset(c, 0.2, 100, 8, 4);", loffset, 0, 20},
+    {"TOFFSET", "c:curve off:curve params:list -> list",
+     "The pieces of an offset curve off of c, cut at its self-intersections, "
+     "that are nowhere nearer to c than the third of params = list(method, "
+     "tolerance, trimming distance, numeric tolerance), best a little below "
+     "the offset distance; the others are not needed.",
+     C "l = toffset(c, offset(c, -0.5, 0.001, off), list(1, 20, 0.49, 1e-3));",
+     toffset, 0, 20},
+    {"ILOFFSET", "c:curve off:curve -> list",
+     "Where an offset curve runs backwards against c (the distance exceeds the "
+     "radius of curvature): intervals of the parameter as points (t0, t1, 0); "
+     "no value if there are none.",
+     C "l = iloffset(c, offset(c, -0.5, 0.001, off));", iloffset, 0, 20},
+    {0}};
