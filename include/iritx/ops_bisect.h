@@ -47,6 +47,65 @@ ix_status ix_pt_crv_bisector(ix_ctx *ctx, const ix_mv *crv, const double q[2],
                              double alpha, const ix_op_opts *o, ix_report *rep,
                              ix_mv **out) IX_MUST_CHECK;
 
+/* How the bisector surface of a curve and a point in space is ruled: each line
+ * of centres, the intersection of the normal plane of x and the plane that
+ * divides x - Q, is given a parameter. */
+typedef enum {
+    IX_RULING_PLANES,   /* by planes at right angles to a fixed direction n:
+                           n.(B - Q) = h ("direct": no directrix) */
+    IX_RULING_DIRECTRIX /* B = R(t) + h E(t): R the point of the line next to
+                           Q, E = (x - Q) x x'
+                           (w^2 times that in IX_FORM_PUBLISHED) */
+} ix_ruling_kind;
+
+typedef struct {
+    ix_ruling_kind kind;
+    double range[2];  /* of h; equal: the default, half the size of the box of
+                         curve and point to both sides, or -1/2 .. 1/2 */
+    double normal[3]; /* n of IX_RULING_PLANES, any length; zero: chosen, so
+                         that no ruling is parallel to the planes if possible */
+} ix_ruling;
+
+/* The ruled bisector surface of a space curve and a point Q, or an
+ * alpha-sector.
+ *
+ *   B(t, v): (B - x).x' = 0, (x - Q).(B - (alpha Q + (1 - alpha) x)) = 0
+ *
+ * In    crv    2 or 3 coordinates (a missing one is 0)
+ *       q      double[3]
+ *       alpha  1/2 for the bisector
+ *       r      how it is ruled; NULL: planes, default range
+ *       o      degree in t with
+ *                            planes            directrix
+ *                minimal     3d-1 / 4d-2       max(5d-3, 6d-6) / 6d-4
+ *                published   3d-1 / 4d-1       7d-3 / 10d-3
+ *                naive       7d-3 / 17d, by a directrix
+ *                irit        7d-3 / 12d, by a directrix
+ *              NULL: minimal
+ * Out   *out   P3; direction 0 over the domain of crv, direction 1 linear over
+ *              [0, 1], h = range[0] + v (range[1] - range[0]). The weight does
+ *              not depend on v. It is zero (a pole: ix_roots of axis 0 of an
+ *              isoparametric curve lists them) where the tangent passes through
+ *              Q, and with planes also where a ruling is parallel to them:
+ *              ix_pt_crv_bisector3d_pieces has other planes there
+ *       rep    residual: distance from the two planes, on both boundary rulings
+ *              at nine parameters, relative; poles are left out
+ * Err   as ix_pt_crv_bisector; IX_EARG range or normal not finite;
+ *       IX_EDOMAIN all rulings of a span are parallel to the given planes
+ * Src   Elber & Kim 1998, 3.1; Chen, Riesenfeld & Cohen 2005, 5.2 */
+ix_status ix_pt_crv_bisector3d(ix_ctx *ctx, const ix_mv *crv, const double q[3],
+                               double alpha, const ix_ruling *r,
+                               const ix_op_opts *o, ix_report *rep,
+                               ix_mv **out) IX_MUST_CHECK;
+/* The same with planes, in as many pieces as it takes to keep every ruling at
+ * more than 11 degrees from its planes (one if possible): surfaces with the
+ * intervals of t that they belong to. r->normal is not looked at, r->kind
+ * IX_RULING_DIRECTRIX gives one piece. */
+ix_status ix_pt_crv_bisector3d_pieces(ix_ctx *ctx, const ix_mv *crv,
+                                      const double q[3], double alpha,
+                                      const ix_ruling *r, const ix_op_opts *o,
+                                      ix_crvs *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

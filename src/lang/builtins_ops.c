@@ -1,43 +1,6 @@
-/* builtins_ops.c - geometric operators: bisectors and distance functions
- * (chapters 21 and 22 of spec/functions). */
-#include <limits.h>
-
+/* builtins_ops.c - distance functions (chapter 22 of spec/functions). */
 #include "iritx/geom_srf.h"
-#include "iritx/ops.h"
 #include "lang/args_freeform.h"
-#include "lang/interp.h"
-
-/* The state "DegreeForm", and BspProdMethod 0 as C0 joins. */
-static ix_op_opts op_opts(const ix_call *c)
-{
-    const ix_states *s = ix__states(c->in);
-
-    return (ix_op_opts){.form = (ix_degree_form)s->degree_form,
-                        .max_cont = s->bsp_prod_method == 0 ? 0 : INT_MAX};
-}
-
-static ix_status cbisector3d(ix_call *c)
-{
-    ix_op_opts o = op_opts(c);
-    const ix_mv **crv;
-    ix_mv *out;
-    int n;
-
-    if (o.form == IX_FORM_NAIVE)
-        return IX_FAIL(c->ctx, IX_EUNABLE,
-                       "the bisector surface is not available in degree form "
-                       "naive, only in minimal, published and irit");
-    if (ix__arg_num(c, 1) == 4)
-        return IX_ARG_FAIL(c, 1,
-                           "the zero set of function 4 is not available, "
-                           "only the bisector surface (1)");
-    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
-    if (n != 2)
-        return IX_ARG_FAIL(c, 0, "list(curve, curve) is needed, got %d curves",
-                           n);
-    IX_TRY(ix_cbisector3d(c->ctx, crv[0], crv[1], &o, NULL, &out));
-    return ix__ret_mv(c, -1, out);
-}
 
 static ix_status dist2ff(ix_call *c)
 {
@@ -61,10 +24,6 @@ static ix_status dist2ff(ix_call *c)
     "b = cbezier(list(point(0,2,0), point(0,3,1))); "
 
 const ix_builtin ix__builtins_ops[] = {
-    {"CBISECTOR3D", "curves:list func:num -> surface",
-     "Exact rational bisector surface of two space curves: S(u, v) has the "
-     "same distance from both, with foot points at u and v.",
-     PAIR "s = cbisector3d(list(a, b), 1);", cbisector3d, 0, 21},
     {"DIST2FF", "a:curve|surface b:curve|surface type:num -> surface|mv",
      "Distance function over both domains: 0 the vector a - b, 1 its squared "
      "length, 2 and 3 its product with the normal of a or b.",

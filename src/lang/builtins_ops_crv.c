@@ -9,21 +9,13 @@
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
-
-/* The state "DegreeForm", and BspProdMethod 0 as C0 joins. */
-static ix_op_opts op_opts(const ix_call *c)
-{
-    const ix_states *s = ix__states(c->in);
-
-    return (ix_op_opts){.form = (ix_degree_form)s->degree_form,
-                        .max_cont = s->bsp_prod_method == 0 ? 0 : INT_MAX};
-}
+#include "lang/op_args.h"
 
 /* --- fields and special points ------------------------------------------- */
 
 static ix_status ret_graph(ix_call *c, ix_crv_field_kind kind)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *f, *g;
     ix_status st;
 
@@ -218,49 +210,11 @@ static ix_status ccrvtreval(ix_call *c)
 
 static ix_status cnrmlcrv(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_crv_normal_field(c->ctx, ix__arg_mv(c, 0), &o, NULL, &out));
     return ix__ret_mv(c, 0, out);
-}
-
-/* The parameters where the weight of a result is zero, as a list; NULL if
- * memory is short. */
-static ix_obj *list_of_poles(ix_ctx *ctx, const ix_root *r, int n)
-{
-    ix_obj *list = ix__obj_list(ctx);
-
-    for (int i = 0; list && i < n; i++)
-        if (r[i].kind != IX_ROOT_JUMP &&
-            ix__list_add_num(ctx, list, r[i].t) != IX_OK) {
-            ix__obj_unref(ctx, list);
-            return NULL;
-        }
-    return list;
-}
-
-/* The result's attribute Poles, if there are any. */
-static ix_status tell_poles(ix_call *c, const ix_mv *m)
-{
-    /* what composition and products leave in the weights */
-    static const ix_root_opts rounded = {.lo = 1, .hi = 0, .error = 1e-14};
-    ix_obj *list;
-    ix_root *r;
-    ix_status st = IX_OK;
-    int n;
-
-    if (!ix_mv_has_poles(m))
-        return IX_OK;
-    IX_TRY(ix_roots(c->ctx, m, 0, &rounded, &r, &n));
-    list = list_of_poles(c->ctx, r, n);
-    if (!list)
-        st = IX_ENOMEM;
-    else if (list->u.list.n > 0)
-        st = ix__attr_set_obj(c->ctx, &c->result->attrs, "Poles", list);
-    ix__obj_unref(c->ctx, list);
-    ix_roots_free(c->ctx, r, n);
-    return st;
 }
 
 /* The mean evolute. */
@@ -275,7 +229,7 @@ static ix_status surface_evolute(ix_call *c, const ix_op_opts *o)
 /* The only piece, or all of them with a remark. */
 static ix_status evolute(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     double dom[2];
     ix_mv *only;
     ix_crvs e;
@@ -294,17 +248,17 @@ static ix_status evolute(ix_call *c)
     only = ix_mv_ref(e.crv[0]);
     ix_crvs_free(c->ctx, &e);
     IX_TRY(ix__ret_mv(c, 0, only));
-    return tell_poles(c, ix__obj_first_mv(c->result));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
 }
 
 static ix_status focalcrv(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_focal_crv(c->ctx, ix__arg_mv(c, 0), &o, NULL, &out));
     IX_TRY(ix__ret_mv(c, 0, out));
-    return tell_poles(c, ix__obj_first_mv(c->result));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
 }
 
 /* --- ruled surfaces ------------------------------------------------------- */
@@ -313,7 +267,7 @@ static ix_status ret_ruled(ix_call *c, ix_ruled_kind kind)
 {
     double range[2] = {ix__arg_num(c, 1), ix__arg_num(c, 2)};
     bool scroll = kind == IX_RULED_NORMAL || kind == IX_RULED_BINORMAL;
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_crv_ruled(c->ctx, ix__arg_mv(c, 0), kind, range, &o, NULL, &out));

@@ -6,22 +6,14 @@
 #include "iritx/sym.h"
 #include "lang/args_freeform.h"
 #include "lang/interp.h"
+#include "lang/op_args.h"
 #include "mv/mv.h"
-
-/* The state "DegreeForm", and BspProdMethod 0 as C0 joins. */
-static ix_op_opts op_opts(const ix_call *c)
-{
-    const ix_states *s = ix__states(c->in);
-
-    return (ix_op_opts){.form = (ix_degree_form)s->degree_form,
-                        .max_cont = s->bsp_prod_method == 0 ? 0 : INT_MAX};
-}
 
 /* --- fields -------------------------------------------------------------- */
 
 static ix_status srffform(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_obj *list;
     ix_status st = IX_OK;
     ix_mv *f[3];
@@ -41,7 +33,7 @@ static ix_status srffform(ix_call *c)
 
 static ix_status sgauss(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_srf_gauss(c->ctx, ix__arg_mv(c, 0), ix__arg_bool(c, 1), &o, NULL,
@@ -51,7 +43,7 @@ static ix_status sgauss(ix_call *c)
 
 static ix_status smean(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_srf_mean(c->ctx, ix__arg_mv(c, 0), ix__arg_bool(c, 1), &o, NULL,
@@ -104,7 +96,7 @@ static ix_status height_field(ix_ctx *ctx, const ix_mv *f, ix_mv **out)
 
 static ix_status scrvtr(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_srf_curvature_kind kind = IX_SRF_TOTAL;
     ix_mv *f, *g = NULL, *out;
     int nc, dir;
@@ -131,7 +123,7 @@ static ix_status scrvtr(ix_call *c)
 
 static ix_status sfocal(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
     int dir;
 
@@ -144,7 +136,7 @@ static ix_status sfocal(ix_call *c)
 
 static ix_status duality(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     ix_mv *out;
 
     IX_TRY(ix_duality(c->ctx, ix__arg_mv(c, 0), &o, &out));
@@ -153,7 +145,7 @@ static ix_status duality(ix_call *c)
 
 static ix_status orthotomc(ix_call *c)
 {
-    ix_op_opts o = op_opts(c);
+    ix_op_opts o = ix__op_opts(c);
     double p[3];
     ix_mv *out;
 

@@ -12,6 +12,7 @@
 #include "ops/published.h"
 #include "ops/ratio.h"
 #include "ops/report.h"
+#include "ops/steady.h"
 
 typedef struct {
     ix_form x, r, w;
@@ -34,60 +35,15 @@ static ix_status rectifying(ix_ctx *ctx, const ix_curve *c, ix_form *out)
     return ix__form_mul_add(ctx, &c->d, 1, &tq, out);
 }
 
-/* Least cosine between n and the directions v[m][3]. */
-static double least_cosine(const double n[3], int m, double (*v)[3])
-{
-    double least = 1.0;
-
-    for (int i = 0; i < m; i++)
-        least = fmin(least, ix__dot3(n, v[i]));
-    return least;
-}
-
-enum { MAX_SAMPLES = 64 };
-
-/* A direction to which no binormal is at a right angle, if there is one among
- * their mean and themselves. */
-static void plane_normal(const ix_curve *c, double n[3])
-{
-    const ix_spans *sp = &c->p.dirs[0];
-    double v[MAX_SAMPLES][3], sum[3] = {0, 0, 0}, best, cosine;
-    int m = 0, per = sp->nspans < MAX_SAMPLES / 8 ? 8 : 1;
-
-    for (int i = 0; i < MAX_SAMPLES && i < per * sp->nspans; i++) {
-        int count = per * sp->nspans < MAX_SAMPLES ? per * sp->nspans
-                                                   : MAX_SAMPLES;
-        double u = (i + 0.5) / count * sp->nspans, t;
-        int j = (int)u;
-
-        t = sp->breaks[j] + (u - j) * (sp->breaks[j + 1] - sp->breaks[j]);
-        ix__form_eval(&c->v, &t, v[m]);
-        if (!(ix__unit3(v[m], v[m]) > 0))
-            continue;
-        ix__axpy3(sum, 1.0, v[m], sum);
-        m++;
-    }
-    n[0] = n[1] = 0.0;
-    n[2] = 1.0;
-    (void)ix__unit3(sum, n);
-    best = least_cosine(n, m, v);
-    for (int i = 0; best <= 0.0 && i < m; i++) {
-        cosine = least_cosine(v[i], m, v);
-        if (cosine > best) {
-            best = cosine;
-            for (int k = 0; k < 3; k++)
-                n[k] = v[i][k];
-        }
-    }
-}
-
 /* n x (w^2 p x V + Q D) over w^3 n.V; the ruling w^3 V. */
 static ix_status polar(ix_ctx *ctx, const ix_curve *c, ruled *out)
 {
+    const ix_spans *sp = &c->v.dirs[0];
+    const double dom[2] = {sp->breaks[0], sp->breaks[sp->nspans]};
     ix_form normal, w2, w3, pv, nv;
     double n[3];
 
-    plane_normal(c, n);
+    (void)ix__steady_normal(&c->v, dom, n);
     IX_TRY(ix__form_constant(ctx, &c->p, 3, n, &normal));
     IX_TRY(ix__form_power(ctx, &c->w, 2, &w2));
     IX_TRY(ix__form_power(ctx, &c->w, 3, &w3));
@@ -229,24 +185,6 @@ static ix_status naive_centres(ix_ctx *ctx, const ix_frac *x, const ix_frac *d,
     return ix__ratio_add(ctx, x, 1, &n, out);
 }
 
-/* Base and ruling as fractions to a common denominator, their product. */
-static ix_status common(ix_ctx *ctx, const ix_frac *x, const ix_frac *r,
-                        ruled *out)
-{
-    static const double one = 1.0;
-    ix_frac w;
-
-    out->x = x->x;
-    out->r = r->x;
-    if (r->rational)
-        IX_TRY(ix__form_mul(ctx, &out->x, &r->w, &out->x));
-    if (x->rational)
-        IX_TRY(ix__form_mul(ctx, &out->r, &x->w, &out->r));
-    IX_TRY(ix__frac_weights(ctx, x, r, &w));
-    out->w = w.w;
-    return w.rational ? IX_OK : ix__form_constant(ctx, &x->x, 1, &one, &out->w);
-}
-
 static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind,
                        ruled *out)
 {
@@ -260,7 +198,7 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind,
     *out = (ruled){.length = lengths[kind]};
     IX_TRY(ix__ratio_derive(ctx, &x, &d[0]));
     if (kind == IX_RULED_TANGENT)
-        return common(ctx, &x, &d[0], out);
+        return ix__ratio_common(ctx, &x, &d[0], &out->x, &out->r, &out->w);
     IX_TRY(ix__ratio_derive(ctx, &d[0], &d[1]));
     IX_TRY(ix__ratio_product(ctx, ix__form_cross, &d[0], &d[1], &b));
     r = b;
@@ -270,7 +208,7 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind,
         IX_TRY(naive_darboux(ctx, d, &b, &r));
     if (kind == IX_RULED_POLAR)
         IX_TRY(naive_centres(ctx, &x, d, &b, &x));
-    return common(ctx, &x, &r, out);
+    return ix__ratio_common(ctx, &x, &r, &out->x, &out->r, &out->w);
 }
 
 /* --- all forms ---------------------------------------------------------- */

@@ -78,6 +78,23 @@ ix_status ix__ratio_add(ix_ctx *ctx, const ix_frac *a, int sign,
     return IX_OK;
 }
 
+ix_status ix__ratio_common(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
+                           ix_form *xa, ix_form *xb, ix_form *w)
+{
+    static const double one = 1.0;
+    ix_frac both;
+
+    *xa = a->x;
+    *xb = b->x;
+    if (b->rational)
+        IX_TRY(ix__form_mul(ctx, xa, &b->w, xa));
+    if (a->rational)
+        IX_TRY(ix__form_mul(ctx, xb, &a->w, xb));
+    IX_TRY(ix__frac_weights(ctx, a, b, &both));
+    *w = both.w;
+    return both.rational ? IX_OK : ix__form_constant(ctx, &a->x, 1, &one, w);
+}
+
 ix_status ix__form_det2(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                         ix_form *out)
 {

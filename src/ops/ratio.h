@@ -31,6 +31,10 @@ ix_status ix__ratio_over(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
 ix_status ix__ratio_add(ix_ctx *ctx, const ix_frac *a, int sign,
                         const ix_frac *b, ix_frac *out) IX_MUST_CHECK;
 
+/* Both over one denominator, the product of theirs (1 if there is none). */
+ix_status ix__ratio_common(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
+                           ix_form *xa, ix_form *xb, ix_form *w) IX_MUST_CHECK;
+
 /* det(a, b) of rows 0 and 1. */
 ix_status ix__form_det2(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                         ix_form *out) IX_MUST_CHECK;

@@ -56,6 +56,21 @@ static ix_status point_bisector(ix_ctx *ctx, const ix_op_args *a,
     return ix_pt_crv_bisector(ctx, a->mv[0], a->num, 0.5, o, rep, out);
 }
 
+static ix_status point_planes(ix_ctx *ctx, const ix_op_args *a,
+                              const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    return ix_pt_crv_bisector3d(ctx, a->mv[0], a->num, 0.5, NULL, o, rep, out);
+}
+
+static ix_status point_directrix(ix_ctx *ctx, const ix_op_args *a,
+                                 const ix_op_opts *o, ix_report *rep,
+                                 ix_mv **out)
+{
+    static const ix_ruling r = {IX_RULING_DIRECTRIX, {0, 0}, {0, 0, 0}};
+
+    return ix_pt_crv_bisector3d(ctx, a->mv[0], a->num, 0.5, &r, o, rep, out);
+}
+
 static ix_status gauss(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
                        ix_report *rep, ix_mv **out)
 {
@@ -132,6 +147,8 @@ const ix_op ix__ops[] = {{"CINFLECT", {1, 0}, 0, ALL, inflection},
                          {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
                          {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
                          {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
+                         {"CBISECTOR3DPT", {1, 0}, 3, ALL, point_planes},
+                         {"CBISECTOR3DPTDIR", {1, 0}, 3, ALL, point_directrix},
                          {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},
                          {"SGAUSS", {2, 0}, 0, ONLY_IRIT, gauss},
                          {"SGAUSSNUM", {2, 0}, 0, ONLY_IRIT, gauss_numerator},

@@ -1,0 +1,146 @@
+/* builtins_bisect3d.c - bisectors in space (chapter 21 of spec/functions). */
+#include "iritx/ops_bisect.h"
+#include "lang/args_freeform.h"
+#include "lang/curve_args.h"
+#include "lang/interp.h"
+#include "lang/op_args.h"
+
+/* --- curve and point -------------------------------------------------------
+ */
+
+/* list(min, max), list(min, max, normal) or list(min, max, 1): the range of the
+ * rulings, their planes, or a directrix. */
+static ix_status arg_ruling(ix_call *c, int i, ix_ruling *out)
+{
+    static const char what[] = "list(min, max), list(min, max, normal) or "
+                               "list(min, max, 1) is needed";
+    const ix_list *l;
+
+    if (i >= c->argc)
+        return IX_OK;
+    l = &c->argv[i]->u.list;
+    if (l->n < 2 || l->n > 3)
+        return IX_ARG_FAIL(c, i, "%s, got %d elements", what, l->n);
+    for (int k = 0; k < 2; k++) {
+        if (l->item[k]->type != IX_OBJ_NUMBER)
+            return IX_ARG_FAIL(c, i, "%s", what);
+        out->range[k] = l->item[k]->u.num;
+    }
+    if (out->range[0] == out->range[1])
+        return IX_ARG_FAIL(c, i, "an empty range of rulings, %g to %g",
+                           out->range[0], out->range[1]);
+    if (l->n == 2)
+        return IX_OK;
+    if (l->item[2]->type == IX_OBJ_NUMBER && l->item[2]->u.num == 1)
+        out->kind = IX_RULING_DIRECTRIX;
+    else if (l->item[2]->type == IX_OBJ_VECTOR ||
+             l->item[2]->type == IX_OBJ_POINT)
+        for (int k = 0; k < 3; k++)
+            out->normal[k] = l->item[2]->u.pt[k];
+    else
+        return IX_ARG_FAIL(c, i, "%s", what);
+    return IX_OK;
+}
+
+static ix_status ret_surface(ix_call *c, ix_mv *m)
+{
+    IX_TRY(ix__ret_geom(c, -1, m, IX__GEOM_RULED));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+}
+
+/* Several surfaces with their poles; takes over what s holds. */
+static ix_status ret_surfaces(ix_call *c, ix_crvs *s)
+{
+    ix_obj *list = ix__obj_list(c->ctx), *o;
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < s->n; i++) {
+        o = ix__obj_mv(c->ctx, IX_OBJ_SURFACE, ix_mv_ref(s->crv[i]));
+        st = o ? ix__tell_poles(c, o, s->crv[i]) : IX_ENOMEM;
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, o);
+        else
+            ix__obj_unref(c->ctx, o);
+    }
+    ix_crvs_free(c->ctx, s);
+    return ix__ret_list(c, list, st);
+}
+
+/* One surface, or pieces with a remark where the planes cannot be chosen for
+ * all of it. */
+static ix_status ruled_bisector(ix_call *c, const ix_operand *x, double alpha,
+                                const ix_ruling *r)
+{
+    const double *n = r->normal;
+    ix_op_opts o = ix__op_opts(c);
+    ix_crvs pieces;
+    ix_mv *m;
+
+    if (n[0] != 0 || n[1] != 0 || n[2] != 0) {
+        IX_TRY(ix_pt_crv_bisector3d(c->ctx, x[0].mv, x[1].pt, alpha, r, &o,
+                                    NULL, &m));
+        return ret_surface(c, m);
+    }
+    IX_TRY(ix_pt_crv_bisector3d_pieces(c->ctx, x[0].mv, x[1].pt, alpha, r, &o,
+                                       &pieces));
+    if (pieces.n > 1) {
+        ix__remark(c->in,
+                   "no planes serve all rulings: %d pieces (list(min, max, 1) "
+                   "rules by a directrix, in one piece)",
+                   pieces.n);
+        return ret_surfaces(c, &pieces);
+    }
+    m = ix_mv_ref(pieces.crv[0]);
+    ix_crvs_free(c->ctx, &pieces);
+    return ret_surface(c, m);
+}
+
+/* --- two curves ------------------------------------------------------------
+ */
+
+static ix_status cbisector3d(ix_call *c)
+{
+    ix_op_opts o = ix__op_opts(c);
+    ix_ruling r = {.kind = IX_RULING_PLANES};
+    ix_operand x[2];
+    ix_mv *out;
+
+    IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2,
+                            "list(curve, curve) or list(curve, point)", x));
+    if (!x[1].mv) {
+        IX_TRY(arg_ruling(c, 2, &r));
+        return ruled_bisector(c, x, 0.5, &r);
+    }
+    if (c->argc > 2)
+        return IX_ARG_FAIL(c, 2,
+                           "only the bisector of a curve and a point is "
+                           "ruled");
+    if (o.form == IX_FORM_NAIVE)
+        return IX_FAIL(c->ctx, IX_EUNABLE,
+                       "the bisector surface is not available in degree form "
+                       "naive, only in minimal, published and irit");
+    if (ix__arg_num(c, 1) == 4)
+        return IX_ARG_FAIL(c, 1,
+                           "the zero set of function 4 is not available, "
+                           "only the bisector surface (1)");
+    IX_TRY(ix_cbisector3d(c->ctx, x[0].mv, x[1].mv, &o, NULL, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+/* --- table -----------------------------------------------------------------
+ */
+
+#define PAIR                                                        \
+    "a = cbezier(list(point(0,0,0), point(1,0,1), point(2,1,0))); " \
+    "b = cbezier(list(point(0,2,0), point(0,3,1))); "
+
+const ix_builtin ix__builtins_bisect3d[] = {
+    {"CBISECTOR3D", "operands:list func:num [rulings:list] -> surface|list",
+     "Exact rational bisector surface of two space curves: S(u, v) has the "
+     "same distance from both, with foot points at u and v. Of a curve and a "
+     "point: a ruled surface, v along the rulings, which end at planes or, "
+     "with list(min, max, 1), are given by a directrix.",
+     PAIR "s = cbisector3d(list(a, b), 1); r = cbisector3d(list(a, point(0, "
+          "1, 1)), 1, list(-1, 1));",
+     cbisector3d, 0, 21},
+    {0}};
