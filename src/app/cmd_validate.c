@@ -2,25 +2,30 @@
  * what no schema can state and has the better messages, then held against the
  * schema, so that other programs can rely on it. */
 #include "app/cmd.h"
+#include "io/input.h"
 
-static ix_status validate_text(ix_ctx *ctx, const char *name,
-                               const ix_buf *text)
+static ix_status validate_from(ix_ctx *ctx, ix__input *s)
 {
+    ix__input *again;
     ix_obj *o;
+    ix_status st;
 
-    IX_TRY(ix__xml_read(ctx, name, text->data, text->len, &o));
+    IX_TRY(ix__xml_read_from(s, &o));
     ix__obj_unref(ctx, o);
-    return ix__xml_validate(ctx, name, text->data, text->len);
+    IX_TRY(ix__input_again(s, &again));
+    st = ix__xml_validate(again);
+    ix__input_close(again);
+    return st;
 }
 
 static ix_status validate_file(ix_ctx *ctx, const char *name)
 {
-    ix_buf text;
+    ix__input *s;
     ix_status st;
 
-    IX_TRY(ix__file_read(ctx, name, &text));
-    st = validate_text(ctx, name, &text);
-    ix__buf_free(&text);
+    IX_TRY(ix__input_file(ctx, name, &s));
+    st = validate_from(ctx, s);
+    ix__input_close(s);
     return st;
 }
 

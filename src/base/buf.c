@@ -105,9 +105,34 @@ void ix__buf_printf(ix_buf *b, const char *fmt, ...)
     va_end(again);
 }
 
+size_t ix__buf_total(const ix_buf *b)
+{
+    return b->drained + b->len;
+}
+
+/* The first n bytes, piece by piece. */
+static ix_status drain(ix_buf *b, size_t n)
+{
+    for (size_t at = 0; at < n; at += IX_BUF_PIECE)
+        IX_TRY(b->sink(b->sink_arg, b->data + at,
+                       n - at < IX_BUF_PIECE ? n - at : IX_BUF_PIECE));
+    memmove(b->data, b->data + n, b->len - n + 1);
+    b->len -= n;
+    b->drained += n;
+    return IX_OK;
+}
+
 ix_status ix__buf_check(ix_buf *b)
 {
     if (b->failed)
         return IX_FAIL(b->ctx, IX_ENOMEM, "out of memory for text");
-    return IX_OK;
+    if (!b->sink || b->len < 4 * IX_BUF_PIECE)
+        return IX_OK;
+    return drain(b, b->len / IX_BUF_PIECE * IX_BUF_PIECE);
+}
+
+ix_status ix__buf_flush(ix_buf *b)
+{
+    IX_TRY(ix__buf_check(b));
+    return b->sink && b->len > 0 ? drain(b, b->len) : IX_OK;
 }

@@ -1,6 +1,6 @@
-/* file.c - whole files in and out. Only regular files are touched. A file is
- * replaced by renaming a complete, synced one onto it, so that at any moment
- * the old or the new contents are there, and nothing else. */
+/* file.c - files in and out. Only regular files are touched. A file is replaced
+ * by renaming a complete, synced one onto it, so that at any moment the old or
+ * the new contents are there, and nothing else. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <fcntl.h>
@@ -10,13 +10,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "io/file_impl.h"
 #include "io/gz.h"
-#include "io/io.h"
+#include "io/input.h"
 
-#define CHUNK ((size_t)1 << 20)
-
-/* "x.itd: cannot read: No such file or directory" */
-static ix_status failed(ix_ctx *ctx, const char *what, const char *name)
+ix_status ix__file_failed(ix_ctx *ctx, const char *what, const char *name)
 {
     int code = errno;
     char reason[128];
@@ -26,8 +24,8 @@ static ix_status failed(ix_ctx *ctx, const char *what, const char *name)
     return IX_FAIL(ctx, IX_EIO, "%.200s: cannot %s: %s", name, what, reason);
 }
 
-static ix_status need_regular(ix_ctx *ctx, const char *what, const char *name,
-                              const struct stat *sb)
+ix_status ix__file_regular(ix_ctx *ctx, const char *what, const char *name,
+                           const struct stat *sb)
 {
     if (S_ISREG(sb->st_mode))
         return IX_OK;
@@ -41,74 +39,32 @@ static ix_status need_regular(ix_ctx *ctx, const char *what, const char *name,
 
 /* --- reading ---------------------------------------------------------- */
 
-static ix_status read_fd(ix_ctx *ctx, int fd, const char *name, ix_buf *out)
+static ix_status read_all(ix__input *s, ix_buf *out)
 {
-    char *chunk;
-    ssize_t n;
+    ix_ctx *ctx = ix__input_ctx(s);
+    char *piece;
+    size_t n;
 
-    IX_SCRATCH(ctx, chunk, CHUNK);
-    for (;;) {
-        IX_TRY(ix__poll(ctx));
-        n = read(fd, chunk, CHUNK);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n < 0)
-            return failed(ctx, "read", name);
-        ix__buf_add(out, chunk, (size_t)n); /* also makes an empty text */
+    IX_SCRATCH(ctx, piece, IX_INPUT_PIECE);
+    do {
+        IX_TRY(ix__input_read(s, piece, IX_INPUT_PIECE, &n));
+        ix__buf_add(out, piece, n); /* also makes an empty text */
         IX_TRY(ix__buf_check(out));
-        if (n == 0)
-            return IX_OK;
-        if (out->len > IX_MAX_TEXT)
-            return IX_FAIL(ctx, IX_EIO,
-                           "%.200s: cannot read: more than %zu bytes", name,
-                           IX_MAX_TEXT);
-    }
-}
-
-/* Neither waits for the writer of a FIFO nor takes over a terminal. */
-static ix_status read_raw(ix_ctx *ctx, const char *name, ix_buf *out)
-{
-    int fd = open(name, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    struct stat sb;
-    ix_status st;
-
-    if (fd < 0)
-        return failed(ctx, "read", name);
-    st = fstat(fd, &sb) == 0 ? need_regular(ctx, "read", name, &sb)
-                             : failed(ctx, "read", name);
-    if (st == IX_OK)
-        st = read_fd(ctx, fd, name, out);
-    (void)close(fd);
-    return st;
-}
-
-static ix_status inflate_in_place(ix_ctx *ctx, const char *name, ix_buf *b)
-{
-    ix_buf text;
-    ix_status st;
-
-    ix__buf_init(&text, ctx);
-    st = ix__gz_inflate(ctx, name, b->data, b->len, &text);
-    ix__buf_free(st == IX_OK ? b : &text);
-    if (st == IX_OK)
-        *b = text;
-    return st;
+    } while (n == IX_INPUT_PIECE);
+    return IX_OK;
 }
 
 ix_status ix__file_read(ix_ctx *ctx, const char *name, ix_buf *out)
 {
     ix_mark mk = ix__scratch_mark(ctx);
+    ix__input *s;
     ix_status st;
 
     ix__buf_init(out, ctx);
-    st = read_raw(ctx, name, out);
+    IX_TRY(ix__input_file(ctx, name, &s));
+    st = read_all(s, out);
+    ix__input_close(s);
     ix__scratch_release(ctx, mk);
-    if (st == IX_OK && ix__gz_is(out->data, out->len))
-        st = inflate_in_place(ctx, name, out);
-    else if (st == IX_OK && out->len >= 2 &&
-             memcmp(out->data, "\x1f\x9d", 2) == 0)
-        st = IX_FAIL(ctx, IX_EPARSE,
-                     "%.200s: packed by compress; repack it with gzip", name);
     if (st != IX_OK)
         ix__buf_free(out);
     return st;
@@ -116,13 +72,17 @@ ix_status ix__file_read(ix_ctx *ctx, const char *name, ix_buf *out)
 
 /* --- writing ---------------------------------------------------------- */
 
-typedef struct {
+struct ix__outfile {
     ix_ctx *ctx;
     const char *name;
     char *temp; /* beside name */
-    char *dir;
-    int fd;
-} saving;
+    size_t temp_bytes;
+    int fd; /* of temp */
+    ix_buf text;
+    ix__gzip *gz; /* NULL: not packed */
+};
+
+typedef ix__outfile saving;
 
 static const char *base_name(const char *name)
 {
@@ -133,17 +93,12 @@ static const char *base_name(const char *name)
 
 static ix_status make_names(saving *s)
 {
-    const char *base = base_name(s->name);
-    size_t dir = (size_t)(base - s->name);
-
-    if (!*base)
+    if (!*base_name(s->name))
         return IX_FAIL(s->ctx, IX_EIO, "%.200s: cannot write: no file name",
                        s->name);
-    IX_SCRATCH(s->ctx, s->temp, strlen(s->name) + 16);
-    IX_SCRATCH(s->ctx, s->dir, dir + 2);
-    memcpy(s->dir, dir ? s->name : ".", dir ? dir : 1);
-    s->dir[dir ? dir : 1] = '\0';
-    return IX_OK;
+    s->temp_bytes = strlen(s->name) + 16;
+    s->temp = ix__alloc(s->ctx, s->temp_bytes);
+    return s->temp ? IX_OK : IX_ENOMEM;
 }
 
 /* dir/.base.XXXXXX with six letters drawn from a counter. */
@@ -184,70 +139,56 @@ static ix_status open_temp(saving *s, const struct stat *old)
             break;
     }
     if (s->fd < 0)
-        return failed(s->ctx, "write", s->name);
+        return ix__file_failed(s->ctx, "write", s->name);
     if (old)
         (void)fchmod(s->fd, old->st_mode & 0777);
     return IX_OK;
 }
 
-static ix_status write_all(saving *s, const char *data, size_t n)
+/* Bytes as they are stored. */
+static ix_status write_raw(void *arg, const char *data, size_t n)
 {
+    saving *s = arg;
+
     while (n > 0) {
         ssize_t k;
 
         IX_TRY(ix__poll(s->ctx));
-        k = write(s->fd, data, n < CHUNK ? n : CHUNK);
+        k = write(s->fd, data, n);
         if (k < 0 && errno == EINTR)
             continue;
         if (k < 0)
-            return failed(s->ctx, "write", s->name);
+            return ix__file_failed(s->ctx, "write", s->name);
         data += k;
         n -= (size_t)k;
     }
-    if (fsync(s->fd) != 0 && errno != EINVAL)
-        return failed(s->ctx, "write", s->name);
     return IX_OK;
+}
+
+static ix_status write_text(void *arg, const char *data, size_t n)
+{
+    saving *s = arg;
+
+    return s->gz ? ix__gzip_put(s->gz, data, n) : write_raw(s, data, n);
 }
 
 /* The rename itself reaches the disk with its directory; some file systems
  * cannot do that and say EINVAL. */
 static ix_status sync_dir(const saving *s)
 {
-    int fd = open(s->dir, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    size_t n = (size_t)(base_name(s->name) - s->name);
     ix_status st = IX_OK;
+    int fd;
 
+    memcpy(s->temp, n ? s->name : ".", n ? n : 1); /* not needed any more */
+    s->temp[n ? n : 1] = '\0';
+    fd = open(s->temp, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0)
         return IX_OK; /* not readable: nothing more can be done */
     if (fsync(fd) != 0 && errno != EINVAL)
-        st = failed(s->ctx, "sync the directory", s->name);
+        st = ix__file_failed(s->ctx, "sync the directory", s->name);
     (void)close(fd);
     return st;
-}
-
-static ix_status fill_and_rename(saving *s, const char *data, size_t n)
-{
-    ix_status st = write_all(s, data, n);
-
-    if (close(s->fd) != 0 && st == IX_OK)
-        st = failed(s->ctx, "write", s->name);
-    if (st == IX_OK && rename(s->temp, s->name) != 0)
-        st = failed(s->ctx, "write", s->name);
-    if (st != IX_OK)
-        (void)unlink(s->temp);
-    return st;
-}
-
-static ix_status save(saving *s, const char *data, size_t n)
-{
-    struct stat old;
-    bool exists = stat(s->name, &old) == 0;
-
-    if (exists)
-        IX_TRY(need_regular(s->ctx, "write", s->name, &old));
-    IX_TRY(make_names(s));
-    IX_TRY(open_temp(s, exists ? &old : NULL));
-    IX_TRY(fill_and_rename(s, data, n));
-    return sync_dir(s);
 }
 
 static bool ends_with(const char *s, const char *suffix)
@@ -257,24 +198,97 @@ static bool ends_with(const char *s, const char *suffix)
     return n > k && ix__name_cmp(s + n - k, suffix) == 0;
 }
 
+static bool is_packed(const char *name)
+{
+    return ends_with(name, ".gz") || ends_with(name, ".Z") ||
+           ends_with(name, ".x3dz");
+}
+
+static ix_status open_out(saving *s)
+{
+    struct stat old;
+    bool exists = stat(s->name, &old) == 0;
+
+    if (exists)
+        IX_TRY(ix__file_regular(s->ctx, "write", s->name, &old));
+    IX_TRY(make_names(s));
+    if (is_packed(s->name))
+        IX_TRY(ix__gzip_open(s->ctx, write_raw, s, &s->gz));
+    return open_temp(s, exists ? &old : NULL);
+}
+
+static void drop_out(saving *s)
+{
+    if (s->fd >= 0) {
+        (void)close(s->fd);
+        (void)unlink(s->temp);
+    }
+    ix__gzip_close(s->gz);
+    ix__buf_free(&s->text);
+    ix__free(s->ctx, s->temp, s->temp_bytes);
+    ix__free(s->ctx, s, sizeof *s);
+}
+
+ix_status ix__outfile_open(ix_ctx *ctx, const char *name, ix__outfile **out)
+{
+    saving *s = ix__alloc(ctx, sizeof *s);
+    ix_status st;
+
+    *out = NULL;
+    if (!s)
+        return IX_ENOMEM;
+    *s = (saving){.ctx = ctx, .name = name, .fd = -1};
+    ix__buf_init(&s->text, ctx);
+    s->text.sink = write_text;
+    s->text.sink_arg = s;
+    st = open_out(s);
+    if (st == IX_OK)
+        *out = s;
+    else
+        drop_out(s);
+    return st;
+}
+
+ix_buf *ix__outfile_text(ix__outfile *f)
+{
+    return &f->text;
+}
+
+/* Complete and on the disk, then under its name. */
+static ix_status finish(saving *s)
+{
+    IX_TRY(ix__buf_flush(&s->text));
+    if (s->gz)
+        IX_TRY(ix__gzip_finish(s->gz));
+    IX_TRY(ix__poll(s->ctx));
+    if (fsync(s->fd) != 0 && errno != EINVAL)
+        return ix__file_failed(s->ctx, "write", s->name);
+    if (rename(s->temp, s->name) != 0)
+        return ix__file_failed(s->ctx, "write", s->name);
+    (void)close(s->fd); /* synced: it cannot fail to write */
+    s->fd = -1;
+    return sync_dir(s);
+}
+
+ix_status ix__outfile_close(ix__outfile *f, ix_status st)
+{
+    if (st == IX_OK)
+        st = finish(f);
+    drop_out(f);
+    return st;
+}
+
 ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
                          size_t n)
 {
-    saving s = {.ctx = ctx, .name = name, .fd = -1};
-    ix_mark mk = ix__scratch_mark(ctx);
-    ix_buf packed;
     ix_status st = IX_OK;
+    ix__outfile *f;
 
-    ix__buf_init(&packed, ctx);
-    if (ends_with(name, ".gz") || ends_with(name, ".Z") ||
-        ends_with(name, ".x3dz")) {
-        st = ix__gz_deflate(ctx, data, n, &packed);
-        data = packed.data;
-        n = packed.len;
+    IX_TRY(ix__outfile_open(ctx, name, &f));
+    for (size_t at = 0; st == IX_OK && at < n; at += IX_BUF_PIECE) {
+        ix__buf_add(&f->text, data + at,
+                    n - at < IX_BUF_PIECE ? n - at : IX_BUF_PIECE);
+        st = ix__buf_check(&f->text);
     }
-    if (st == IX_OK)
-        st = save(&s, data, n);
-    ix__buf_free(&packed);
-    ix__scratch_release(ctx, mk);
-    return st;
+    return ix__outfile_close(f, st);
 }

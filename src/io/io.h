@@ -1,7 +1,7 @@
 /* io.h - files: text geometry (itd), gzip, atomic saving; the suffix decides.
  *
- * A reader gets the whole (inflated) input in memory and never recurses
- * deeper than IX_MAX_DEPTH; its messages read "file:line:col: what". */
+ * A reader holds a window of the (inflated) input and never recurses deeper
+ * than IX_MAX_DEPTH; its messages read "file:line:col: what". */
 #ifndef IO_IO_H
 #define IO_IO_H
 
@@ -28,10 +28,15 @@ typedef struct {
     int line, col; /* 1-based; 0 if the error has no place in the text */
 } ix_place;
 
+/* Where text comes from, see io/input.h. */
+typedef struct ix__input ix__input;
+
 /* --- text ------------------------------------------------------------- */
-/* Reads objects from text[n]. fname is for messages only. *out is the single
- * object or an unnamed list. Err IX_EPARSE (message "fname:line:col: error:
- * ..."), IX_ENOMEM. */
+/* Reads objects. *out is the single object or an unnamed list. Err IX_EPARSE
+ * (message "name:line:col: error: ..."), IX_ENOMEM, what the source fails
+ * with. */
+ix_status ix__itd_read_from(ix__input *s, ix_obj **out) IX_MUST_CHECK;
+/* The same from text[n]. fname is for messages only. */
 ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
                        size_t n, ix_obj **out) IX_MUST_CHECK;
 /* Appends o in the layout of spec itd-format 10: whole lines, indented to
@@ -50,18 +55,18 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *w, double v);
 double ix__itd_tiny(const char *float_format);
 
 /* --- XML (docs/xml.md) ------------------------------------------------- */
-/* As ix__itd_read. */
+/* As ix__itd_read_from, ix__itd_read. */
+ix_status ix__xml_read_from(ix__input *s, ix_obj **out) IX_MUST_CHECK;
 ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
                        size_t n, ix_obj **out) IX_MUST_CHECK;
 /* Appends a whole document; numbers are the shortest that read back. Err
  * IX_EUNABLE too deep, too long, a name of more than 32 KiB; IX_EDOMAIN a
  * number is not finite; IX_ENOMEM. On failure b holds part of the text. */
 ix_status ix__xml_write(ix_buf *b, const ix_obj *o) IX_MUST_CHECK;
-/* Against docs/iritx.rng, which states the grammar, not counts and values.
- * Err IX_EPARSE (message "fname:line:col: error: ..."), IX_EUNABLE more than
- * 30000 elements side by side, IX_ENOMEM. */
-ix_status ix__xml_validate(ix_ctx *ctx, const char *fname, const char *text,
-                           size_t n) IX_MUST_CHECK;
+/* Against docs/iritx.rng, which states the grammar, not counts and values. Err
+ * IX_EPARSE (message "name:line:col: error: ..."), IX_ENOMEM, what the source
+ * fails with. */
+ix_status ix__xml_validate(ix__input *s) IX_MUST_CHECK;
 
 /* --- X3D (docs/x3d.md) -------------------------------------------------- */
 /* Appends a whole scene. What X3D cannot show is left out, with a note. w (may
@@ -85,8 +90,17 @@ void ix__save_register(const char *suffix, ix__write_fn fn);
  * IX_EPARSE, IX_ENOMEM; messages begin with the name. */
 ix_status ix__file_read(ix_ctx *ctx, const char *name,
                         ix_buf *out) IX_MUST_CHECK;
-/* Writes a temporary file beside name, syncs it, renames it onto name; gzips
- * if the name ends in .gz, .Z or .x3dz. On failure nothing is left behind. */
+/* A file in the making: a temporary one beside name, which stays the caller's.
+ * Packed if the name ends in .gz, .Z or .x3dz. Err IX_EIO, IX_ENOMEM. */
+typedef struct ix__outfile ix__outfile;
+ix_status ix__outfile_open(ix_ctx *ctx, const char *name,
+                           ix__outfile **out) IX_MUST_CHECK;
+/* Its text goes here; ix__buf_check writes what has come together. */
+ix_buf *ix__outfile_text(ix__outfile *f);
+/* With st IX_OK the file is synced and renamed onto name, else, or on failure,
+ * nothing is left behind. Returns st, or what failed; frees f. */
+ix_status ix__outfile_close(ix__outfile *f, ix_status st) IX_MUST_CHECK;
+/* All of it at once. */
 ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
                          size_t n) IX_MUST_CHECK;
 

@@ -1,28 +1,30 @@
-/* itd_lex.c - tokens of the text format (spec/itd-format 1). Line and column
- * are counted only when a message needs them. */
+/* itd_lex.c - tokens of the text format (spec/itd-format 1). What is being
+ * looked at stays in the window: a token that reaches its end makes it move. */
 #include "io/itd_lex.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define MAX_WARNINGS 20 /* shown of one file */
+/* Bytes that a number and the blanks before it rarely exceed, and those that a
+ * character may have. */
+enum { NUMBER_ROOM = 64, CHAR_ROOM = 4 };
 
 /* --- characters ------------------------------------------------------- */
 
-static bool is_blank(char c)
+bool ix__lex_blank(char c)
 {
     return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
 static bool is_control(char c)
 {
-    return (unsigned char)c < ' ' && !is_blank(c);
+    return (unsigned char)c < ' ' && !ix__lex_blank(c);
 }
 
 static bool ends_word(char c)
 {
-    return is_blank(c) || c == '[' || c == ']';
+    return ix__lex_blank(c) || c == '[' || c == ']';
 }
 
 /* Length of the UTF-8 sequence at s, 0 if it is none (RFC 3629: no overlong
@@ -49,41 +51,40 @@ static int utf8_length(const char *s, const char *end)
 
 /* --- messages --------------------------------------------------------- */
 
-/* Columns count characters, so continuation bytes do not. Goes on from the
- * place that was asked for before, if it can. */
-static ix_place place_of(ix__lex *l, const char *at)
+ix_status ix__lex_fail(ix__lex *l, size_t at, const char *fmt, ...)
 {
-    ix_place pl = {1, 1};
-    const char *s = l->text;
-
-    if (l->counted && l->counted <= at) {
-        pl = l->place;
-        s = l->counted;
-    }
-    for (; s < at; s++) {
-        if (*s == '\n') {
-            pl.line++;
-            pl.col = 1;
-        } else if (((unsigned char)*s & 0xc0) != 0x80) {
-            pl.col++;
-        }
-    }
-    l->counted = at;
-    l->place = pl;
-    return pl;
-}
-
-ix_status ix__lex_fail(ix__lex *l, const char *at, const char *fmt, ...)
-{
-    ix_place pl = place_of(l, at);
-    char text[384];
+    ix_status st;
     va_list ap;
 
     va_start(ap, fmt);
-    (void)vsnprintf(text, sizeof text, fmt, ap);
+    st = ix__text_fail(&l->t, at, fmt, ap);
     va_end(ap);
-    return IX_FAIL(l->ctx, IX_EPARSE, "%.100s:%d:%d: error: %s", l->fname,
-                   pl.line, pl.col, text);
+    return st;
+}
+
+void ix__lex_warn(ix__lex *l, size_t at, const char *fmt, ...)
+{
+    va_list ap;
+
+    va_start(ap, fmt);
+    ix__text_warn(&l->t, at, fmt, ap);
+    va_end(ap);
+}
+
+size_t ix__lex_at(const ix__lex *l)
+{
+    return ix__text_at(&l->t, l->t.p);
+}
+
+ix_status ix__lex_init(ix__lex *l, ix__input *src)
+{
+    *l = (ix__lex){.ctx = ix__input_ctx(src)};
+    return ix__text_init(&l->t, src);
+}
+
+void ix__lex_free(ix__lex *l)
+{
+    ix__text_free(&l->t);
 }
 
 /* A token for a message: at most 40 bytes, printable. */
@@ -98,144 +99,113 @@ static void show_token(const ix__token *t, char out[48])
     out[k] = '\0';
 }
 
-/* The innermost bracket that is open at the end: the last one that reached
- * the final depth. NULL if none. */
-static const char *open_bracket(ix__lex *l)
-{
-    const char *at = NULL;
-    int last = 0;
-
-    for (int pass = 0; pass < 2; pass++) {
-        ix__lex scan = *l;
-        ix__token t = {0};
-        int depth = 0;
-
-        scan.p = l->text;
-        while (ix__lex_next(&scan, &t) == IX_OK && t.kind != IX_T_END) {
-            depth += t.kind == IX_T_OPEN ? 1 : t.kind == IX_T_CLOSE ? -1 : 0;
-            if (pass == 1 && t.kind == IX_T_OPEN && depth == last)
-                at = t.s;
-        }
-        last = depth;
-    }
-    return at;
-}
-
-ix_status ix__lex_unexpected(ix__lex *l, const ix__token *t, const char *wanted)
-{
-    const char *open;
-    char text[48];
-    ix_place pl;
-
-    if (t->kind == IX_T_OPEN || t->kind == IX_T_CLOSE)
-        return ix__lex_fail(l, t->s, "%s expected, found %c", wanted, *t->s);
-    if (t->kind != IX_T_END) {
-        show_token(t, text);
-        return ix__lex_fail(l, t->s, "%s expected, found \"%s\"", wanted, text);
-    }
-    open = open_bracket(l);
-    if (!open)
-        return ix__lex_fail(l, t->s, "unexpected end of file, %s expected",
-                            wanted);
-    pl = place_of(l, open);
-    return ix__lex_fail(
-        l, t->s, "unexpected end of file, %s expected; [ opened at %d:%d",
-        wanted, pl.line, pl.col);
-}
-
-void ix__lex_warn(ix__lex *l, const char *at, const char *fmt, ...)
-{
-    char text[384];
-    ix_place pl;
-    va_list ap;
-
-    if (!l->ctx->note || ++l->warnings > MAX_WARNINGS)
-        return;
-    pl = place_of(l, at);
-    va_start(ap, fmt);
-    (void)vsnprintf(text, sizeof text, fmt, ap);
-    va_end(ap);
-    ix__note(
-        l->ctx, "%.100s:%d:%d: warning: %s%s", l->fname, pl.line, pl.col, text,
-        l->warnings == MAX_WARNINGS ? " (further warnings not shown)" : "");
-}
-
 /* --- tokens ----------------------------------------------------------- */
 
-void ix__lex_init(ix__lex *l, ix_ctx *ctx, const char *fname, const char *text,
-                  size_t n)
+static ix_status bad_control(ix__lex *l, const char *s)
 {
-    *l = (ix__lex){.ctx = ctx, .fname = fname, .text = text, .end = text + n};
-    l->p = text;
-    if (n >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
-        l->text = l->p = text + 3; /* byte order mark */
-}
+    size_t at = ix__text_at(&l->t, s);
 
-static ix_status bad_control(ix__lex *l, const char *at)
-{
     return ix__lex_fail(l, at,
                         "control byte 0x%02x at offset %zu: not a text file",
-                        (unsigned char)*at, (size_t)(at - l->text));
+                        (unsigned char)*s, at);
+}
+
+/* Room for a character at s, which is behind p; s moves with the window. */
+static inline ix_status char_room(ix__lex *l, const char **s)
+{
+    size_t k = (size_t)(*s - l->t.p);
+
+    if (l->t.end - *s >= CHAR_ROOM || l->t.eof)
+        return IX_OK;
+    IX_TRY(ix__text_ahead(&l->t, k + CHAR_ROOM));
+    *s = l->t.p + k;
+    return IX_OK;
 }
 
 static ix_status next_quoted(ix__lex *l, ix__token *t)
 {
-    const char *s = l->p + 1;
+    const char *s = l->t.p + 1;
 
     t->kind = IX_T_QUOTED;
-    t->s = s;
-    while (s < l->end && *s != '"' && *s != '\n') {
+    for (;;) {
+        IX_TRY(char_room(l, &s));
+        if (s == l->t.end || *s == '"' || *s == '\n')
+            break;
         if (is_control(*s))
             return bad_control(l, s);
-        if (*s == '\\' && s + 1 < l->end)
+        if (*s == '\\' && s + 1 < l->t.end)
             s++;
         s++;
     }
-    if (s < l->end && *s == '"') {
+    t->s = l->t.p + 1;
+    t->at++;
+    if (s < l->t.end && *s == '"') {
         t->end = s;
-        l->p = s + 1;
+        l->t.p = s + 1;
         return IX_OK;
     }
     t->end = s > t->s && s[-1] == '\r' ? s - 1 : s; /* ended by the line */
-    l->p = s;
+    l->t.p = s;
     return IX_OK;
 }
 
 static ix_status next_word(ix__lex *l, ix__token *t, bool free_text)
 {
-    const char *s = l->p;
+    const char *s = l->t.p;
 
     t->kind = IX_T_WORD;
-    t->s = s;
-    while (s < l->end && !ends_word(*s)) {
-        int n = free_text ? 1 : utf8_length(s, l->end);
+    for (;;) {
+        int n;
 
+        IX_TRY(char_room(l, &s));
+        if (s == l->t.end || ends_word(*s))
+            break;
+        n = free_text ? 1 : utf8_length(s, l->t.end);
         if (is_control(*s))
             return bad_control(l, s);
         if (n == 0)
-            return ix__lex_fail(l, s, "byte 0x%02x at offset %zu is not UTF-8",
-                                (unsigned char)*s, (size_t)(s - l->text));
+            return ix__lex_fail(l, ix__text_at(&l->t, s),
+                                "byte 0x%02x at offset %zu is not UTF-8",
+                                (unsigned char)*s, ix__text_at(&l->t, s));
         s += n;
     }
-    t->end = l->p = s;
+    t->s = l->t.p;
+    t->end = l->t.p = s;
     return IX_OK;
+}
+
+static ix_status skip_blanks(ix__lex *l)
+{
+    for (;;) {
+        while (l->t.p < l->t.end && ix__lex_blank(*l->t.p))
+            l->t.p++;
+        if (l->t.p < l->t.end || l->t.eof)
+            return IX_OK;
+        IX_TRY(ix__text_more(&l->t));
+    }
 }
 
 static ix_status next_token(ix__lex *l, ix__token *t, bool free_text)
 {
-    while (l->p < l->end && is_blank(*l->p))
-        l->p++;
-    t->s = t->end = l->p;
+    IX_TRY(skip_blanks(l));
+    t->s = t->end = l->t.p;
+    t->at = ix__lex_at(l);
     t->kind = IX_T_END;
-    if (l->p == l->end)
+    if (l->t.p == l->t.end)
         return IX_OK;
-    if (*l->p == '"')
+    if (*l->t.p == '"')
         return next_quoted(l, t);
-    if (*l->p != '[' && *l->p != ']')
+    if (*l->t.p != '[' && *l->t.p != ']')
         return next_word(l, t, free_text);
-    t->kind = *l->p == '[' ? IX_T_OPEN : IX_T_CLOSE;
-    t->end = ++l->p;
+    t->kind = *l->t.p == '[' ? IX_T_OPEN : IX_T_CLOSE;
+    t->end = ++l->t.p;
     return IX_OK;
+}
+
+/* The token is the next one again; nothing has been read since. */
+static void push_back(ix__lex *l, const ix__token *t)
+{
+    l->t.p = t->kind == IX_T_QUOTED ? t->s - 1 : t->s;
 }
 
 ix_status ix__lex_next(ix__lex *l, ix__token *t)
@@ -245,24 +215,93 @@ ix_status ix__lex_next(ix__lex *l, ix__token *t)
 
 ix_status ix__lex_peek(ix__lex *l, ix__token *t)
 {
-    const char *p = l->p;
-    ix_status st = next_token(l, t, false);
-
-    l->p = p;
-    return st;
+    IX_TRY(next_token(l, t, false));
+    push_back(l, t);
+    return IX_OK;
 }
 
 ix_status ix__lex_skip_junk(ix__lex *l, ix__token *t)
 {
-    const char *p;
-
-    do {
-        p = l->p;
+    do
         IX_TRY(next_token(l, t, true));
-    } while (t->kind == IX_T_WORD || t->kind == IX_T_QUOTED);
-    l->p = p;
+    while (t->kind == IX_T_WORD || t->kind == IX_T_QUOTED);
+    push_back(l, t);
     return IX_OK;
 }
+
+/* --- what did not come ------------------------------------------------ */
+
+/* Where the innermost bracket is that is open at the end of the text: the last
+ * one that reached the final depth. First pass: that depth. */
+static ix_status last_open(ix__lex *l, int *depth, size_t *at)
+{
+    int now = 0, last = *depth;
+    ix__token t;
+
+    for (;;) {
+        IX_TRY(ix__lex_next(l, &t));
+        now += t.kind == IX_T_OPEN ? 1 : t.kind == IX_T_CLOSE ? -1 : 0;
+        if (t.kind == IX_T_OPEN && now == last)
+            *at = t.at;
+        if (t.kind == IX_T_END)
+            break;
+    }
+    *depth = now;
+    return IX_OK;
+}
+
+/* *depth 0 if none is open. */
+static ix_status open_bracket(const ix__lex *l, int *depth, size_t *at)
+{
+    ix_status st = IX_OK;
+
+    *depth = 0;
+    for (int pass = 0; st == IX_OK && pass < 2; pass++) {
+        ix__input *again;
+        ix__lex scan;
+
+        IX_TRY(ix__input_again(l->t.src, &again));
+        st = ix__lex_init(&scan, again);
+        if (st == IX_OK)
+            st = last_open(&scan, depth, at);
+        ix__lex_free(&scan);
+        ix__input_close(again);
+    }
+    return st;
+}
+
+static ix_status early_end(ix__lex *l, size_t at, const char *wanted)
+{
+    size_t open = 0;
+    int depth;
+    ix_place pl;
+    ix_status st = open_bracket(l, &depth, &open);
+
+    if (st != IX_OK && st != IX_EPARSE) /* bytes that only junk may have */
+        return st;
+    if (st != IX_OK || depth <= 0)
+        return ix__lex_fail(l, at, "unexpected end of file, %s expected",
+                            wanted);
+    IX_TRY(ix__text_place(&l->t, open, &pl));
+    return ix__lex_fail(
+        l, at, "unexpected end of file, %s expected; [ opened at %d:%d", wanted,
+        pl.line, pl.col);
+}
+
+ix_status ix__lex_unexpected(ix__lex *l, const ix__token *t, const char *wanted)
+{
+    char text[48];
+
+    if (t->kind == IX_T_END)
+        return early_end(l, t->at, wanted);
+    if (t->kind == IX_T_OPEN || t->kind == IX_T_CLOSE)
+        return ix__lex_fail(l, t->at, "%s expected, found %c", wanted,
+                            t->kind == IX_T_OPEN ? '[' : ']');
+    show_token(t, text);
+    return ix__lex_fail(l, t->at, "%s expected, found \"%s\"", wanted, text);
+}
+
+/* --- words ------------------------------------------------------------ */
 
 static char lower(char c)
 {
@@ -317,31 +356,33 @@ ix_status ix__lex_close(ix__lex *l, const char *wanted)
     return t.kind == IX_T_CLOSE ? IX_OK : ix__lex_unexpected(l, &t, wanted);
 }
 
-static ix_status bad_number(ix__lex *l, const char *wanted)
+/* A number that the window cut, or none. */
+static ix_status careful_number(ix__lex *l, const char *wanted, double *v)
 {
     char text[48];
     ix__token t;
-    double v;
 
     IX_TRY(ix__lex_next(l, &t));
-    if (t.kind == IX_T_WORD && ix_num_parse(t.s, t.end, &v) == t.end) {
-        show_token(&t, text);
-        return ix__lex_fail(l, t.s, "number %s is out of range (1.8e308)",
-                            text);
-    }
-    return ix__lex_unexpected(l, &t, wanted);
+    if (t.kind != IX_T_WORD || ix_num_parse(t.s, t.end, v) != t.end)
+        return ix__lex_unexpected(l, &t, wanted);
+    if (isfinite(*v))
+        return IX_OK;
+    show_token(&t, text);
+    return ix__lex_fail(l, t.at, "number %s is out of range (1.8e308)", text);
 }
 
 ix_status ix__lex_num(ix__lex *l, const char *wanted, double *v)
 {
-    const char *p = l->p, *e;
+    const char *p, *e;
 
-    while (p < l->end && is_blank(*p))
+    IX_TRY(ix__text_ahead(&l->t, NUMBER_ROOM));
+    p = l->t.p;
+    while (p < l->t.end && ix__lex_blank(*p))
         p++;
-    e = ix_num_parse(p, l->end, v);
-    if (!e || (e < l->end && !ends_word(*e)) || !isfinite(*v))
-        return bad_number(l, wanted);
-    l->p = e;
+    e = ix_num_parse(p, l->t.end, v);
+    if (!e || e == l->t.end || !ends_word(*e) || !isfinite(*v))
+        return careful_number(l, wanted, v);
+    l->t.p = e;
     return IX_OK;
 }
 
@@ -365,20 +406,20 @@ ix_status ix__lex_int(ix__lex *l, const char *what, int lo, int hi, int *v)
     }
     show_token(&t, text);
     if (!(x >= lo && x <= hi))
-        return ix__lex_fail(l, t.s, "%s is %s; it must be in %d .. %d", what,
+        return ix__lex_fail(l, t.at, "%s is %s; it must be in %d .. %d", what,
                             text, lo, hi);
     if (x != floor(x))
-        return ix__lex_fail(l, t.s, "%s is %s; it must be an integer", what,
+        return ix__lex_fail(l, t.at, "%s is %s; it must be an integer", what,
                             text);
     *v = (int)x;
     return IX_OK;
 }
 
-ix_status ix__lex_room(ix__lex *l, const char *at, double n, int item_bytes,
+ix_status ix__lex_room(ix__lex *l, size_t at, double n, int item_bytes,
                        const char *items)
 {
     const double small = 65536; /* the end of the file will be met soon */
-    size_t left = (size_t)(l->end - l->p);
+    size_t left = ix__text_left(&l->t);
 
     if (n * item_bytes <= fmax(small, (double)left))
         return IX_OK;

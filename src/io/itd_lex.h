@@ -1,40 +1,38 @@
 /* itd_lex.h - tokens of the text format, with places for messages.
  *
  * A token is a bracket, a quoted text or a word; brackets need no blanks
- * around them. The text ends at any NUL-free length; nothing is copied. */
+ * around them. Its characters stand in the window over the text, until the next
+ * call that reads. */
 #ifndef IO_ITD_LEX_H
 #define IO_ITD_LEX_H
 
-#include "io/io.h"
+#include "io/text.h"
 
 typedef enum { IX_T_END, IX_T_OPEN, IX_T_CLOSE, IX_T_WORD, IX_T_QUOTED } ix__tk;
 
 typedef struct {
     ix__tk kind;
+    size_t at;       /* where it begins in the text, for messages */
     const char *s;   /* the first character; of QUOTED behind the quote */
     const char *end; /* behind the last; of QUOTED at the quote or line end */
 } ix__token;
 
 typedef struct {
     ix_ctx *ctx;
-    const char *fname;
-    const char *text, *end; /* all of it */
-    const char *p;          /* the next character */
-    int depth;              /* of objects */
-    int warnings;           /* so far; the first few are shown */
-    const char *counted;    /* lines are counted up to here: */
-    ix_place place;
+    ix__text t;
+    int depth; /* of objects */
 } ix__lex;
 
-void ix__lex_init(ix__lex *l, ix_ctx *ctx, const char *fname, const char *text,
-                  size_t n);
+/* src stays the caller's. l is to be freed whatever this returns. */
+ix_status ix__lex_init(ix__lex *l, ix__input *src) IX_MUST_CHECK;
+void ix__lex_free(ix__lex *l);
 
-/* IX_EPARSE with "fname:line:col: error: " and the text; at is in the text. */
-ix_status ix__lex_fail(ix__lex *l, const char *at, const char *fmt, ...)
+/* IX_EPARSE with "name:line:col: error: " and the text. */
+ix_status ix__lex_fail(ix__lex *l, size_t at, const char *fmt, ...)
     IX_PRINTF(3, 4);
-/* A note, "fname:line:col: warning: " and the text; the first 20 of a file. */
-void ix__lex_warn(ix__lex *l, const char *at, const char *fmt, ...)
-    IX_PRINTF(3, 4);
+/* A note, "name:line:col: warning: " and the text; the first 20 of a file. */
+void ix__lex_warn(ix__lex *l, size_t at, const char *fmt, ...) IX_PRINTF(3, 4);
+size_t ix__lex_at(const ix__lex *l); /* the next character */
 /* "<wanted> expected, found ..."; at the end of the text: which bracket is
  * open. */
 ix_status ix__lex_unexpected(ix__lex *l, const ix__token *t,
@@ -54,6 +52,7 @@ ix_status ix__token_text(ix__lex *l, const ix__token *t, char **s,
 
 ix_status ix__lex_open(ix__lex *l) IX_MUST_CHECK;
 ix_status ix__lex_close(ix__lex *l, const char *wanted) IX_MUST_CHECK;
+bool ix__lex_blank(char c); /* blank, tab, LF or CR */
 /* A finite number; wanted is for the message. */
 ix_status ix__lex_num(ix__lex *l, const char *wanted, double *v) IX_MUST_CHECK;
 ix_status ix__lex_nums(ix__lex *l, const char *wanted, int n,
@@ -64,7 +63,7 @@ ix_status ix__lex_int(ix__lex *l, const char *what, int lo, int hi,
 /* Fails if n items of at least the given number of bytes cannot follow; some
  * thousands are always let through, so that memory stays bounded and the end
  * of a short file is reported as such. */
-ix_status ix__lex_room(ix__lex *l, const char *at, double n, int item_bytes,
+ix_status ix__lex_room(ix__lex *l, size_t at, double n, int item_bytes,
                        const char *items) IX_MUST_CHECK;
 
 #endif

@@ -1,8 +1,7 @@
 /* itd_read.c - objects, lists and simple entities from text
  * (spec/itd-format 2, 4). The recursion over objects is bounded by
  * IX_MAX_DEPTH; everything else is a loop. */
-#include <string.h>
-
+#include "io/gather.h"
 #include "io/itd_read_impl.h"
 
 /* --- entities --------------------------------------------------------- */
@@ -43,16 +42,12 @@ static const entity *find_entity(const ix__token *t)
     return NULL;
 }
 
-/* "[KEYWORD": the entity's row. */
-static ix_status open_entity(ix__lex *l, const entity **e)
+/* The entity's row, by its keyword. */
+static ix_status need_entity(ix__lex *l, const ix__token *t, const entity **e)
 {
-    ix__token t;
-
-    IX_TRY(ix__lex_open(l));
-    IX_TRY(ix__lex_next(l, &t));
-    *e = find_entity(&t);
+    *e = find_entity(t);
     if (!*e)
-        return ix__lex_unexpected(l, &t, "an entity such as NUMBER or CURVE");
+        return ix__lex_unexpected(l, t, "an entity such as NUMBER or CURVE");
     return IX_OK;
 }
 
@@ -147,27 +142,11 @@ static ix_status read_single(ix__lex *l, const entity *e, ix_obj **out)
 
 /* --- entities in sequences -------------------------------------------- */
 
-/* A growing array in scratch of what the entity readers return. */
+/* What the entity readers return. */
 typedef struct {
     int n, cap;
     const void **item;
 } refs;
-
-static ix_status refs_room(ix_ctx *ctx, refs *r)
-{
-    const void **item;
-    int cap;
-
-    if (r->n < r->cap)
-        return IX_OK;
-    cap = r->cap ? 2 * r->cap : 8;
-    IX_SCRATCH(ctx, item, cap);
-    if (r->n > 0)
-        memcpy(item, r->item, (size_t)r->n * sizeof *item);
-    r->item = item;
-    r->cap = cap;
-    return IX_OK;
-}
 
 static ix_status read_one(ix__lex *l, const entity *e, const void **out)
 {
@@ -198,18 +177,21 @@ static void drop_one(ix_ctx *ctx, ix_obj_type type, const void *p)
 static ix_status read_sequence(ix__lex *l, const entity *e, refs *r)
 {
     ix_obj_type type = e->type;
-    ix__token t;
+    ix__token open, t;
 
     for (;;) {
-        IX_TRY(refs_room(l->ctx, r));
+        IX_TRY(ix__gather(l->ctx, r->n, &r->cap, sizeof *r->item,
+                          (void *)&r->item));
         IX_TRY(read_one(l, e, &r->item[r->n]));
         r->n++;
-        IX_TRY(ix__lex_peek(l, &t));
-        if (t.kind != IX_T_OPEN)
+        IX_TRY(ix__lex_peek(l, &open));
+        if (open.kind != IX_T_OPEN)
             return IX_OK;
-        IX_TRY(open_entity(l, &e));
+        IX_TRY(ix__lex_open(l));
+        IX_TRY(ix__lex_next(l, &t));
+        IX_TRY(need_entity(l, &t, &e));
         if (e->type != type)
-            return ix__lex_fail(l, t.s,
+            return ix__lex_fail(l, open.at,
                                 "%s in an object of another type; an object "
                                 "holds entities of one type",
                                 e->word);
@@ -237,14 +219,13 @@ static bool is_single(ix_obj_type t)
            t == IX_OBJ_STRING || t == IX_OBJ_INSTANCE;
 }
 
-/* The geometry of one object, up to a closing bracket or the end. */
-static ix_status read_geometry(ix__lex *l, ix_obj **out)
+/* The geometry of one object, the first entity behind its keyword, up to a
+ * closing bracket or the end. */
+static ix_status read_geometry(ix__lex *l, const entity *e, ix_obj **out)
 {
-    const entity *e;
     refs r = {0};
     ix_status st;
 
-    IX_TRY(open_entity(l, &e));
     if (is_single(e->type))
         return read_single(l, e, out);
     st = read_sequence(l, e, &r);
@@ -260,66 +241,35 @@ static ix_status read_geometry(ix__lex *l, ix_obj **out)
 
 /* --- objects ---------------------------------------------------------- */
 
-static bool at_object(const ix__lex *l)
+static ix_status read_list(ix__lex *l, ix_obj **out)
 {
-    ix__lex ahead = *l;
-    ix__token t;
-
-    return ix__lex_open(&ahead) == IX_OK && ix__lex_next(&ahead, &t) == IX_OK &&
-           ix__token_is(&t, "OBJECT");
-}
-
-static ix_status read_element(ix__lex *l, ix_obj *list)
-{
-    ix_obj *o;
-    ix__token t;
+    ix_obj *list = ix__obj_list(l->ctx);
     ix_status st;
 
-    IX_TRY(ix__lex_open(l));
-    IX_TRY(ix__lex_next(l, &t));
-    if (!ix__token_is(&t, "OBJECT"))
-        return ix__lex_unexpected(l, &t, "OBJECT");
-    IX_TRY(ix__itdr_object(l, &o));
-    if (!o)
-        return IX_OK;
-    st = ix__obj_append(l->ctx, list, o);
-    ix__obj_unref(l->ctx, o);
+    if (!list)
+        return IX_ENOMEM;
+    st = ix__itdr_objects(l, list, true, "OBJECT");
+    if (st == IX_OK && list->u.list.n > 0)
+        *out = ix__obj_ref(list);
+    ix__obj_unref(l->ctx, list);
     return st;
-}
-
-/* Objects and words between them, up to a closing bracket or the end. */
-static ix_status read_elements(ix__lex *l, ix_obj *list)
-{
-    ix__token t;
-
-    IX_TRY(ix__lex_skip_junk(l, &t));
-    while (t.kind == IX_T_OPEN) {
-        IX_TRY(read_element(l, list));
-        IX_TRY(ix__lex_skip_junk(l, &t));
-    }
-    return IX_OK;
 }
 
 /* What stands in an object or in the file: NULL if nothing. */
 static ix_status read_body(ix__lex *l, ix_obj **out)
 {
-    ix_obj *list;
+    const entity *e;
     ix__token t;
-    ix_status st;
 
     IX_TRY(ix__lex_skip_junk(l, &t));
     if (t.kind != IX_T_OPEN)
         return IX_OK;
-    if (!at_object(l))
-        return read_geometry(l, out);
-    list = ix__obj_list(l->ctx);
-    if (!list)
-        return IX_ENOMEM;
-    st = read_elements(l, list);
-    if (st == IX_OK && list->u.list.n > 0)
-        *out = ix__obj_ref(list);
-    ix__obj_unref(l->ctx, list);
-    return st;
+    IX_TRY(ix__lex_open(l));
+    IX_TRY(ix__lex_next(l, &t));
+    if (ix__token_is(&t, "OBJECT"))
+        return read_list(l, out);
+    IX_TRY(need_entity(l, &t, &e));
+    return read_geometry(l, e, out);
 }
 
 /* A quoted word in the place of the name leaves the object unnamed. */
@@ -352,7 +302,8 @@ static ix_status read_object(ix__lex *l, ix_attr **attrs, ix_obj **out)
     return ix__obj_set_name(l->ctx, *out, name);
 }
 
-ix_status ix__itdr_object(ix__lex *l, ix_obj **out)
+/* The object behind "[OBJECT"; NULL if it is empty. */
+static ix_status object_behind(ix__lex *l, ix_obj **out)
 {
     ix_mark mk = ix__scratch_mark(l->ctx);
     ix_attr *attrs = NULL;
@@ -360,7 +311,7 @@ ix_status ix__itdr_object(ix__lex *l, ix_obj **out)
 
     *out = NULL;
     if (l->depth == IX_MAX_DEPTH)
-        return ix__lex_fail(l, l->p, "objects nested deeper than %d",
+        return ix__lex_fail(l, ix__lex_at(l), "objects nested deeper than %d",
                             IX_MAX_DEPTH);
     l->depth++;
     st = read_object(l, &attrs, out);
@@ -372,6 +323,38 @@ ix_status ix__itdr_object(ix__lex *l, ix_obj **out)
         *out = NULL;
     }
     return st;
+}
+
+static ix_status append_object(ix__lex *l, ix_obj *list)
+{
+    ix_obj *o;
+    ix_status st;
+
+    IX_TRY(object_behind(l, &o));
+    if (!o)
+        return IX_OK;
+    st = ix__obj_append(l->ctx, list, o);
+    ix__obj_unref(l->ctx, o);
+    return st;
+}
+
+ix_status ix__itdr_objects(ix__lex *l, ix_obj *list, bool inside,
+                           const char *wanted)
+{
+    ix__token t;
+
+    if (inside)
+        IX_TRY(append_object(l, list));
+    for (;;) {
+        IX_TRY(ix__lex_skip_junk(l, &t));
+        if (t.kind != IX_T_OPEN)
+            return IX_OK;
+        IX_TRY(ix__lex_open(l));
+        IX_TRY(ix__lex_next(l, &t));
+        if (!ix__token_is(&t, "OBJECT"))
+            return ix__lex_unexpected(l, &t, wanted);
+        IX_TRY(append_object(l, list));
+    }
 }
 
 /* --- files ------------------------------------------------------------ */
@@ -395,7 +378,7 @@ static ix_status read_file(ix__lex *l, ix_obj **out)
 
     IX_TRY(read_body(l, out));
     if (!*out)
-        return ix__lex_fail(l, l->text, "file empty: it holds no object");
+        return ix__lex_fail(l, 0, "file empty: it holds no object");
     *out = unwrap(l->ctx, *out);
     IX_TRY(ix__lex_skip_junk(l, &t));
     if (t.kind == IX_T_OPEN)
@@ -403,20 +386,35 @@ static ix_status read_file(ix__lex *l, ix_obj **out)
     return IX_OK;
 }
 
-ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
-                       size_t n, ix_obj **out)
+ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
 {
+    ix_ctx *ctx = ix__input_ctx(src);
     ix_mark mk = ix__scratch_mark(ctx);
     ix__lex l;
     ix_status st;
 
     *out = NULL;
-    ix__lex_init(&l, ctx, fname, text, n);
-    st = read_file(&l, out);
+    st = ix__lex_init(&l, src);
+    if (st == IX_OK)
+        st = read_file(&l, out);
+    ix__lex_free(&l);
     ix__scratch_release(ctx, mk);
     if (st != IX_OK) {
         ix__obj_unref(ctx, *out);
         *out = NULL;
     }
+    return st;
+}
+
+ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
+                       size_t n, ix_obj **out)
+{
+    ix__input *s;
+    ix_status st;
+
+    *out = NULL;
+    IX_TRY(ix__input_memory(ctx, fname, text, n, 0, &s));
+    st = ix__itd_read_from(s, out);
+    ix__input_close(s);
     return st;
 }

@@ -36,37 +36,13 @@ static ix_status set_number(ix__lex *l, ix_attr **attrs, const char *name,
     return ix__attr_set_real(l->ctx, attrs, name, v);
 }
 
-static ix_status add_value(ix__lex *l, ix_obj *list)
-{
-    ix_obj *o;
-    ix__token t;
-    ix_status st;
-
-    IX_TRY(ix__lex_open(l));
-    IX_TRY(ix__lex_next(l, &t));
-    if (!ix__token_is(&t, "OBJECT"))
-        return ix__lex_unexpected(
-            l, &t,
-            "OBJECT (in an attribute; an object's name, or NONE, must stand "
-            "before its contents)");
-    IX_TRY(ix__itdr_object(l, &o));
-    if (!o)
-        return IX_OK;
-    st = ix__obj_append(l->ctx, list, o);
-    ix__obj_unref(l->ctx, o);
-    return st;
-}
-
 static ix_status read_values(ix__lex *l, ix_attr **attrs, const char *name,
                              ix_obj *list)
 {
-    ix__token t;
-
-    IX_TRY(ix__lex_skip_junk(l, &t));
-    while (t.kind == IX_T_OPEN) {
-        IX_TRY(add_value(l, list));
-        IX_TRY(ix__lex_skip_junk(l, &t));
-    }
+    IX_TRY(ix__itdr_objects(
+        l, list, false,
+        "OBJECT (in an attribute; an object's name, or NONE, must stand before "
+        "its contents)"));
     IX_TRY(ix__lex_close(l, "] of the attribute"));
     if (list->u.list.n == 0)
         return ix__attr_set_string(l->ctx, attrs, name, "");
@@ -142,7 +118,7 @@ ix_status ix__itdr_attrs(ix__lex *l, ix_attr **attrs, ix__attr_special special,
     IX_TRY(ix__lex_peek(l, &t));
     for (int i = 0; t.kind == IX_T_OPEN; i++) {
         if (i == MAX_ATTRS)
-            return ix__lex_fail(l, t.s, "more than %d attributes", MAX_ATTRS);
+            return ix__lex_fail(l, t.at, "more than %d attributes", MAX_ATTRS);
         IX_TRY(ix__lex_open(l));
         IX_TRY(read_attr(l, attrs, special, arg));
         IX_TRY(ix__lex_peek(l, &t));

@@ -1,29 +1,9 @@
 /* itd_read_brep.c - trimmed surfaces, models and triangular surfaces from text
  * (spec/itd-format 6.4, 7, 8). Curves are kept as they stand in the file. */
-#include <stdlib.h>
+#include <string.h>
 
+#include "io/gather.h"
 #include "io/itd_read_impl.h"
-
-/* The words and the brackets up to the bracket that closes this level. */
-static ix_status count_items(const ix__lex *l, int *words, int *brackets)
-{
-    ix__lex scan = *l;
-    int depth = 0;
-    ix__token t;
-
-    *words = *brackets = 0;
-    for (;;) {
-        IX_TRY(ix__lex_next(&scan, &t));
-        if (t.kind == IX_T_END)
-            return ix__lex_unexpected(&scan, &t, "]");
-        if (t.kind == IX_T_CLOSE && depth-- == 0)
-            return IX_OK;
-        if (depth == 0)
-            *words += t.kind == IX_T_WORD;
-        if (t.kind == IX_T_OPEN && depth++ == 0)
-            ++*brackets;
-    }
-}
 
 static ix_status need_bracket(ix__lex *l, const char *word)
 {
@@ -50,73 +30,93 @@ static ix_status read_trimseg(ix__lex *l, ix_trimseg *s)
     return ix__lex_close(l, "] of TRIMCRVSEG");
 }
 
-static ix_status read_trimloop(ix__lex *l, ix_trimloop *loop)
+static ix_status read_trimloop(ix__lex *l, ix__trimming *trim)
 {
-    ix__token open;
-    int words, n;
+    int first = trim->nsegs;
+    ix__token open, t;
+    ix_trimseg *s;
 
     IX_TRY(ix__lex_peek(l, &open));
     IX_TRY(need_bracket(l, "TRIMCRV"));
-    IX_TRY(count_items(l, &words, &n));
-    if (n == 0)
-        return ix__lex_fail(l, open.s, "TRIMCRV holds no TRIMCRVSEG");
-    IX_TRY(ix__trimloop_segs(l->ctx, loop, n));
-    for (int i = 0; i < n; i++)
-        IX_TRY(read_trimseg(l, &loop->seg[i]));
-    return ix__lex_close(l, "] of TRIMCRV");
+    for (;;) {
+        IX_TRY(ix__lex_peek(l, &t));
+        if (t.kind != IX_T_OPEN)
+            break;
+        IX_TRY(ix__trimming_seg(l->ctx, trim, &s));
+        IX_TRY(read_trimseg(l, s));
+    }
+    IX_TRY(ix__lex_close(l, "] of TRIMCRV"));
+    if (trim->nsegs == first)
+        return ix__lex_fail(l, open.at, "TRIMCRV holds no TRIMCRVSEG");
+    return ix__trimming_loop(l->ctx, trim, first);
 }
 
-static ix_status read_loops(ix__lex *l, ix_trimsrf *t)
+static ix_status read_trimsrf(ix__lex *l, ix__trimming *trim, ix_trimsrf **out)
 {
-    for (int i = 0; i < t->nloops; i++)
-        IX_TRY(read_trimloop(l, &t->loop[i]));
-    return ix__lex_close(l, "] of TRIMSRF");
+    ix__token t;
+
+    IX_TRY(ix__itdr_whole_mv(l, IX_OBJ_SURFACE, &trim->srf));
+    for (;;) {
+        IX_TRY(ix__lex_peek(l, &t));
+        if (t.kind != IX_T_OPEN)
+            break;
+        IX_TRY(read_trimloop(l, trim));
+    }
+    IX_TRY(ix__lex_close(l, "] of TRIMSRF"));
+    if (trim->nloops == 0)
+        ix__lex_warn(l, ix__lex_at(l),
+                     "a trimmed surface has no trimming curve");
+    return ix__trimming_make(l->ctx, trim, out);
 }
 
 ix_status ix__itdr_trimsrf(ix__lex *l, const void **out)
 {
-    ix_trimsrf *t = NULL;
-    const ix_mv *srf;
-    int words, n;
-    ix_status st;
+    ix_mark mk = ix__scratch_mark(l->ctx);
+    ix__trimming trim = {0};
+    ix_trimsrf *made = NULL;
+    ix_status st = read_trimsrf(l, &trim, &made);
 
-    *out = NULL;
-    IX_TRY(ix__itdr_whole_mv(l, IX_OBJ_SURFACE, &srf));
-    st = count_items(l, &words, &n);
-    if (st == IX_OK)
-        t = ix__trimsrf_new(l->ctx, srf, n);
-    ix_mv_unref(l->ctx, srf);
-    if (st != IX_OK || !t)
-        return st != IX_OK ? st : IX_ENOMEM;
-    st = read_loops(l, t);
-    if (st != IX_OK) {
-        ix__trimsrf_unref(l->ctx, t);
-        return st;
-    }
-    if (n == 0)
-        ix__lex_warn(l, l->p, "a trimmed surface has no trimming curve");
-    *out = t;
-    return IX_OK;
+    ix__trimming_drop(l->ctx, &trim);
+    ix__scratch_release(l->ctx, mk);
+    *out = made;
+    return st;
 }
 
 /* --- models ----------------------------------------------------------- */
 
-static ix_status read_loop(ix__lex *l, ix_model_srf *s, int loop, int nseg)
+/* The numbers of the segments of a loop, in scratch. */
+static ix_status read_refs(ix__lex *l, int nseg, int **ref, int *n)
 {
-    int n, brackets;
+    int cap = 0;
     ix__token t;
 
-    IX_TRY(need_bracket(l, "MDLLOOP"));
-    IX_TRY(count_items(l, &n, &brackets));
-    IX_TRY(ix__model_loop_segs(l->ctx, s, loop, n));
-    for (int i = 0; i < n; i++) {
+    for (*n = 0;; ++*n) {
         IX_TRY(ix__lex_peek(l, &t));
-        IX_TRY(ix__lex_int(l, "the index of a segment", -nseg, nseg,
-                           &s->seg[loop][i]));
-        if (s->seg[loop][i] == 0)
-            return ix__lex_fail(l, t.s, "segments are counted from 1");
+        if (t.kind != IX_T_WORD)
+            return ix__lex_close(l, "] of MDLLOOP");
+        IX_TRY(ix__gather(l->ctx, *n, &cap, sizeof **ref, (void *)ref));
+        IX_TRY(
+            ix__lex_int(l, "the index of a segment", -nseg, nseg, *ref + *n));
+        if ((*ref)[*n] == 0)
+            return ix__lex_fail(l, t.at, "segments are counted from 1");
     }
-    return ix__lex_close(l, "] of MDLLOOP");
+}
+
+static ix_status fill_loop(ix__lex *l, ix_model_srf *s, int loop, int nseg)
+{
+    int *ref = NULL, n;
+
+    IX_TRY(need_bracket(l, "MDLLOOP"));
+    IX_TRY(read_refs(l, nseg, &ref, &n));
+    IX_TRY(ix__model_loop_segs(l->ctx, s, loop, n));
+    if (n > 0)
+        memcpy(s->seg[loop], ref, (size_t)n * sizeof *ref);
+    return IX_OK;
+}
+
+static ix_status read_loop(ix__lex *l, ix_model_srf *s, int loop, int nseg)
+{
+    IX_RETURN_SCOPED(l->ctx, fill_loop(l, s, loop, nseg));
 }
 
 static ix_status read_model_srf(ix__lex *l, ix_model *m, ix_model_srf *s)
@@ -128,7 +128,7 @@ static ix_status read_model_srf(ix__lex *l, ix_model *m, ix_model_srf *s)
     IX_TRY(need_bracket(l, "MDLTSRF"));
     IX_TRY(ix__lex_int(l, "the number of loops", 0, INT32_MAX, &n));
     IX_TRY(ix__itdr_whole_mv(l, IX_OBJ_SURFACE, &s->srf));
-    IX_TRY(ix__lex_room(l, open.s, n, 9, "loops")); /* "[MDLLOOP]" */
+    IX_TRY(ix__lex_room(l, open.at, n, 9, "loops")); /* "[MDLLOOP]" */
     IX_TRY(ix__model_loops(l->ctx, s, n));
     for (int i = 0; i < n; i++)
         IX_TRY(read_loop(l, s, i, m->nseg));
@@ -170,8 +170,8 @@ ix_status ix__itdr_model(ix__lex *l, const void **out)
     IX_TRY(ix__lex_peek(l, &t));
     IX_TRY(ix__lex_int(l, "the number of surfaces", 1, INT32_MAX, &nsrf));
     IX_TRY(ix__lex_int(l, "the number of segments", 0, INT32_MAX, &nseg));
-    IX_TRY(ix__lex_room(l, t.s, nsrf, 10, "surfaces")); /* "[MDLTSRF 0" ... */
-    IX_TRY(ix__lex_room(l, t.s, nseg, 15, "segments")); /* "[MDLTSEG 0 0 0]" */
+    IX_TRY(ix__lex_room(l, t.at, nsrf, 10, "surfaces")); /* "[MDLTSRF 0" ... */
+    IX_TRY(ix__lex_room(l, t.at, nseg, 15, "segments")); /* "[MDLTSEG 0 0 0]" */
     m = ix__model_new(l->ctx, nsrf, nseg);
     if (!m)
         return IX_ENOMEM;
@@ -186,7 +186,7 @@ ix_status ix__itdr_model(ix__lex *l, const void **out)
 /* --- triangular surfaces ---------------------------------------------- */
 
 typedef struct {
-    const char *at;
+    size_t at;
     ix_tri_kind kind;
     int length, order, ncoords;
     bool rational;
@@ -199,7 +199,7 @@ static ix_status read_tri_header(ix__lex *l, tri_header *h)
     double n;
 
     IX_TRY(ix__lex_next(l, &t));
-    h->at = t.s;
+    h->at = t.at;
     if (!ix__token_is(&t, "BEZIER") && !ix__token_is(&t, "BSPLINE") &&
         !ix__token_is(&t, "GREGORY"))
         return ix__lex_unexpected(l, &t, "BEZIER, BSPLINE or GREGORY");
@@ -223,7 +223,7 @@ static ix_status read_tri_header(ix__lex *l, tri_header *h)
     IX_TRY(ix__lex_peek(l, &t));
     IX_TRY(ix__itdr_knots(l, &h->dir, 0));
     if (h->dir.periodic)
-        return ix__lex_fail(l, t.s, "KV expected in a triangular surface");
+        return ix__lex_fail(l, t.at, "KV expected in a triangular surface");
     return IX_OK;
 }
 

@@ -43,7 +43,10 @@ ix_status ix__itdr_trimsrf(ix__lex *l, const void **out) IX_MUST_CHECK;
 ix_status ix__itdr_trisrf(ix__lex *l, const void **out) IX_MUST_CHECK;
 ix_status ix__itdr_model(ix__lex *l, const void **out) IX_MUST_CHECK;
 
-/* The object behind "[OBJECT"; NULL if it is empty. */
-ix_status ix__itdr_object(ix__lex *l, ix_obj **out) IX_MUST_CHECK;
+/* Objects and words between them to the end of list, up to a closing bracket or
+ * the end, which are left. inside: the first "[OBJECT" has been read. wanted is
+ * for the message about something else in brackets. */
+ix_status ix__itdr_objects(ix__lex *l, ix_obj *list, bool inside,
+                           const char *wanted) IX_MUST_CHECK;
 
 #endif

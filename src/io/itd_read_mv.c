@@ -6,7 +6,8 @@
 #include "io/itd_read_impl.h"
 #include "io/read_rules.h"
 
-enum { POINTS_A_POLL = 4096 };
+/* A point and the blanks in it rarely exceed POINT_ROOM bytes. */
+enum { POINTS_A_POLL = 4096, POINT_ROOM = 1024 };
 
 /* --- point types and points ------------------------------------------- */
 
@@ -38,14 +39,9 @@ ix_status ix__itdr_point_type(ix__lex *l, int *ncoords, bool *rational)
     return ix__lex_unexpected(l, &t, "point type E1 .. E18 or P1 .. P18");
 }
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 static const char *skip_blanks(const char *p, const char *end)
 {
-    while (p < end && is_blank(*p))
+    while (p < end && ix__lex_blank(*p))
         p++;
     return p;
 }
@@ -61,51 +57,53 @@ static const char *plain_point(const char *p, const char *end, int naxes,
         double *v = pt + (size_t)a * stride;
 
         p = ix_num_parse(skip_blanks(p, end), end, v);
-        if (!p || p == end || !(is_blank(*p) || *p == ']') || !isfinite(*v))
+        if (!p || p == end || !(ix__lex_blank(*p) || *p == ']') ||
+            !isfinite(*v))
             return NULL;
     }
     p = skip_blanks(p, end);
     return p < end && *p == ']' ? p + 1 : NULL;
 }
 
-/* Says what is wrong with the point at which plain_point stopped. */
-static ix_status bad_point(ix__lex *l, int naxes, size_t i, size_t n)
+/* A point that the window cut, or what is wrong with it. */
+static ix_status careful_point(ix__lex *l, int naxes, size_t stride, double *p,
+                               size_t i, size_t n)
 {
-    const char *at;
-    ix__token t;
-    double v;
+    ix__token open, t;
 
-    IX_TRY(ix__lex_next(l, &t));
-    at = t.s;
-    if (t.kind == IX_T_CLOSE)
-        return ix__lex_fail(l, at, "%zu control points expected, %zu found", n,
-                            i);
-    if (t.kind != IX_T_OPEN)
-        return ix__lex_unexpected(l, &t, "[ of a control point");
+    IX_TRY(ix__lex_next(l, &open));
+    if (open.kind == IX_T_CLOSE)
+        return ix__lex_fail(l, open.at,
+                            "%zu control points expected, %zu found", n, i);
+    if (open.kind != IX_T_OPEN)
+        return ix__lex_unexpected(l, &open, "[ of a control point");
     for (int a = 0; a < naxes; a++) {
         IX_TRY(ix__lex_peek(l, &t));
         if (t.kind == IX_T_CLOSE)
-            return ix__lex_fail(l, at,
+            return ix__lex_fail(l, open.at,
                                 "control point %zu has %d numbers; its type "
                                 "needs %d",
                                 i + 1, a, naxes);
-        IX_TRY(ix__lex_num(l, "number", &v));
+        IX_TRY(ix__lex_num(l, "number", p + (size_t)a * stride));
     }
     IX_TRY(ix__lex_peek(l, &t));
     if (t.kind == IX_T_WORD)
-        return ix__lex_fail(
-            l, t.s, "control point %zu has more than %d numbers", i + 1, naxes);
+        return ix__lex_fail(l, t.at,
+                            "control point %zu has more than %d numbers", i + 1,
+                            naxes);
     return ix__lex_close(l, "] of a control point");
 }
 
 ix_status ix__itdr_point(ix__lex *l, int naxes, size_t stride, double *p,
                          size_t i, size_t n)
 {
-    const char *next = plain_point(l->p, l->end, naxes, stride, p);
+    const char *next;
 
+    IX_TRY(ix__text_ahead(&l->t, POINT_ROOM));
+    next = plain_point(l->t.p, l->t.end, naxes, stride, p);
     if (!next)
-        return bad_point(l, naxes, i, n);
-    l->p = next;
+        return careful_point(l, naxes, stride, p, i, n);
+    l->t.p = next;
     return IX_OK;
 }
 
@@ -130,7 +128,7 @@ static ix_status read_knots(ix__lex *l, const ix_dir *dir, int n, double *knots)
             IX_TRY(ix__poll(l->ctx));
         IX_TRY(ix__lex_peek(l, &t));
         if (t.kind == IX_T_CLOSE)
-            return ix__lex_fail(l, t.s,
+            return ix__lex_fail(l, t.at,
                                 "%d knots found, %d needed for %d%s points of "
                                 "order %d",
                                 i, n, dir->length,
@@ -139,7 +137,7 @@ static ix_status read_knots(ix__lex *l, const ix_dir *dir, int n, double *knots)
     }
     IX_TRY(ix__lex_peek(l, &t));
     if (t.kind == IX_T_WORD)
-        return ix__lex_fail(l, t.s,
+        return ix__lex_fail(l, t.at,
                             "more than the %d knots of %d%s points of order "
                             "%d",
                             n, dir->length, dir->periodic ? " periodic" : "",
@@ -148,7 +146,7 @@ static ix_status read_knots(ix__lex *l, const ix_dir *dir, int n, double *knots)
 }
 
 /* What lower floors refuse as an argument is malformed text here. */
-static ix_status at_place(ix__lex *l, const char *at, ix_status st)
+static ix_status at_place(ix__lex *l, size_t at, ix_status st)
 {
     if (st != IX_EARG)
         return st;
@@ -169,20 +167,21 @@ ix_status ix__itdr_knots(ix__lex *l, ix_dir *dirs, int d)
     if (!dir->periodic && !ix__token_is(&t, "KV"))
         return ix__lex_unexpected(l, &t, "KV or KVP");
     if (!dir->periodic && dir->order > dir->length)
-        return ix__lex_fail(l, open.s, "order %d needs %d points, there are %d",
+        return ix__lex_fail(l, open.at,
+                            "order %d needs %d points, there are %d",
                             dir->order, dir->order, dir->length);
     n = ix_knots_count(dir);
-    IX_TRY(ix__lex_room(l, open.s, n, 2, "knots"));
+    IX_TRY(ix__lex_room(l, open.at, n, 2, "knots"));
     IX_SCRATCH(l->ctx, knots, n);
     IX_TRY(read_knots(l, dir, n, knots));
     dir->knots = knots;
-    return at_place(l, open.s, ix__mv_check_dirs(l->ctx, d + 1, dirs, 1));
+    return at_place(l, open.at, ix__mv_check_dirs(l->ctx, d + 1, dirs, 1));
 }
 
 /* --- the header ------------------------------------------------------- */
 
 typedef struct {
-    const char *at; /* the type keyword, for messages */
+    size_t at; /* of the type keyword, for messages */
     ix_basis basis;
     int ndirs;
     ix_dir dirs[IX_MAX_DIRS];
@@ -196,7 +195,7 @@ static ix_status read_basis(ix__lex *l, header *h)
     ix__token t;
 
     IX_TRY(ix__lex_next(l, &t));
-    h->at = t.s;
+    h->at = t.at;
     if (ix__token_is(&t, "BEZIER"))
         h->basis = IX_BEZIER;
     else if (ix__token_is(&t, "BSPLINE"))

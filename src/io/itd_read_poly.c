@@ -15,7 +15,7 @@ static ix_status polygon_attr(ix__lex *l, const ix__token *name, void *arg,
     IX_TRY(ix__lex_nums(l, "number of the PLANE", 4, pg->plane));
     IX_TRY(ix__lex_close(l, "] of the PLANE"));
     if (!ix__poly_unit(pg->plane, 4))
-        return ix__lex_fail(l, name->s, "degenerate normal: PLANE %g %g %g",
+        return ix__lex_fail(l, name->at, "degenerate normal: PLANE %g %g %g",
                             pg->plane[0], pg->plane[1], pg->plane[2]);
     pg->has_plane = true;
     return IX_OK;
@@ -44,7 +44,7 @@ static ix_status read_vertex(ix__lex *l, ix_vertex *v, int i, int n)
 
     IX_TRY(ix__lex_next(l, &t));
     if (t.kind == IX_T_CLOSE)
-        return ix__lex_fail(l, t.s, "%d vertices expected, %d found", n, i);
+        return ix__lex_fail(l, t.at, "%d vertices expected, %d found", n, i);
     if (t.kind != IX_T_OPEN)
         return ix__lex_unexpected(l, &t, "[ of a vertex");
     IX_TRY(ix__itdr_attrs(l, &v->attrs, vertex_attr, v));
@@ -60,7 +60,7 @@ static ix_status read_polygon(ix__lex *l, ix_polygon *pg)
     IX_TRY(ix__itdr_attrs(l, &pg->attrs, polygon_attr, pg));
     IX_TRY(ix__lex_peek(l, &t));
     IX_TRY(ix__lex_int(l, "the number of vertices", 1, INT32_MAX, &n));
-    IX_TRY(ix__lex_room(l, t.s, n, 7, "vertices")); /* "[0 0 0]" */
+    IX_TRY(ix__lex_room(l, t.at, n, 7, "vertices")); /* "[0 0 0]" */
     IX_TRY(ix__poly_vertices(l->ctx, pg, n));
     for (int i = 0; i < n; i++) {
         if (i % 4096 == 0)

@@ -56,7 +56,7 @@ static ix_status init_format(ix__itdw *w, const ix_write_opts *o)
 
 ix_status ix__itdw_init(ix__itdw *w, ix_buf *b, const ix_write_opts *o)
 {
-    *w = (ix__itdw){.b = b, .start = b->len, .shortest = true};
+    *w = (ix__itdw){.b = b, .start = ix__buf_total(b), .shortest = true};
     if (!o)
         return IX_OK;
     w->file = o->file;
@@ -66,17 +66,7 @@ ix_status ix__itdw_init(ix__itdw *w, ix_buf *b, const ix_write_opts *o)
 
 ix_status ix__itdw_check(const ix__itdw *w)
 {
-    ix_ctx *ctx = w->b->ctx;
-
-    IX_TRY(ix__buf_check(w->b));
-    if (w->file && w->nonfinite)
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "a number is infinite or not a number; files hold "
-                       "finite numbers only");
-    if (w->b->len - w->start > IX_MAX_TEXT)
-        return IX_FAIL(ctx, IX_EUNABLE, "more than %zu bytes of text",
-                       IX_MAX_TEXT);
-    return ix__poll(ctx);
+    return ix__write_check(w->b, w->start, w->file && w->nonfinite);
 }
 
 /* Takes off what IRIT takes off, from offset start on. */
@@ -98,12 +88,12 @@ void ix__itdw_num(ix__itdw *w, double v)
 {
     size_t start = w->b->len;
 
-    if (!isfinite(v))
-        w->nonfinite = true;
     if (w->shortest) {
-        ix__buf_num(w->b, v);
+        ix__write_num(w->b, v, &w->nonfinite);
         return;
     }
+    if (!isfinite(v))
+        w->nonfinite = true;
     ix__numfmt_put(w->b, &w->fmt, fabs(v) < w->tiny ? 0.0 : v);
     if (!w->b->failed)
         clean_up(w->b, start);
@@ -122,12 +112,13 @@ void ix__itdw_real_attr(ix__itdw *w, double v)
 {
     static const ix_numfmt six = {.precision = -1, .conv = 'g'};
 
+    if (w->shortest) {
+        ix__write_num(w->b, v, &w->nonfinite);
+        return;
+    }
     if (!isfinite(v))
         w->nonfinite = true;
-    if (w->shortest)
-        ix__buf_num(w->b, v);
-    else
-        ix__numfmt_put(w->b, &six, v);
+    ix__numfmt_put(w->b, &six, v);
 }
 
 void ix__itd_number(ix_buf *b, const ix_write_opts *o, double v)

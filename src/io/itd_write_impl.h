@@ -7,11 +7,11 @@
 #define IO_ITD_WRITE_IMPL_H
 
 #include "base/numfmt.h"
-#include "io/io.h"
+#include "io/write_text.h"
 
 typedef struct {
     ix_buf *b;
-    size_t start; /* length of b before */
+    size_t start; /* bytes of b before */
     bool shortest, file;
     bool nonfinite; /* some number was NaN or infinite */
     ix_numfmt fmt;  /* unless shortest */

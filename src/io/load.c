@@ -5,10 +5,9 @@
 #include <sys/stat.h>
 
 #include "io/export.h"
-#include "io/io.h"
+#include "io/input.h"
 
-typedef ix_status (*read_fn)(ix_ctx *ctx, const char *fname, const char *text,
-                             size_t n, ix_obj **out);
+typedef ix_status (*read_fn)(ix__input *s, ix_obj **out);
 typedef ix_status (*write_fn)(ix_buf *b, const ix_obj *o,
                               const ix_write_opts *w);
 
@@ -32,9 +31,9 @@ static const struct format {
     read_fn read;
     write_fn write;
 } formats[] = {
-    {"itd", ix__itd_read, write_itd},
-    {"imd", ix__itd_read, write_itd},
-    {"xml", ix__xml_read, write_xml},
+    {"itd", ix__itd_read_from, write_itd},
+    {"imd", ix__itd_read_from, write_itd},
+    {"xml", ix__xml_read_from, write_xml},
     {"x3d", NULL, ix__x3d_write},
     {"x3dz", NULL, ix__x3d_write},
     {"ibd", NULL, NULL},
@@ -138,15 +137,15 @@ static ix_status resolve(const char *name, ix_buf *b)
 static ix_status load_file(ix_ctx *ctx, const char *name, ix_obj **out)
 {
     const struct format *f = find_format(name);
-    read_fn reader = f ? f->read : ix__itd_read;
-    ix_buf text;
+    read_fn reader = f ? f->read : ix__itd_read_from;
+    ix__input *s;
     ix_status st;
 
     if (!reader)
         return unsupported(ctx, name, f->suffix, "read");
-    IX_TRY(ix__file_read(ctx, name, &text));
-    st = reader(ctx, name, text.data, text.len, out);
-    ix__buf_free(&text);
+    IX_TRY(ix__input_file(ctx, name, &s));
+    st = reader(s, out);
+    ix__input_close(s);
     return st;
 }
 
@@ -174,18 +173,21 @@ ix_status ix__load(ix_ctx *ctx, const char *name, ix_buf *resolved,
     return st;
 }
 
-static ix_status save_as(ix_ctx *ctx, const char *name, write_fn writer,
+static ix_status save_as(ix_ctx *ctx, const char *name, const struct format *f,
                          const ix_obj *o, const ix_write_opts *w)
 {
+    ix__outfile *out;
     ix_buf text;
     ix_status st;
 
+    IX_TRY(ix__outfile_open(ctx, name, &out));
+    if (f->write != ix__bstl_write) /* which goes back to what it wrote */
+        return ix__outfile_close(out, f->write(ix__outfile_text(out), o, w));
     ix__buf_init(&text, ctx);
-    st = writer(&text, o, w);
-    if (st == IX_OK)
-        st = ix__file_write(ctx, name, text.data, text.len);
+    st = f->write(&text, o, w);
+    ix__buf_add(ix__outfile_text(out), text.data, st == IX_OK ? text.len : 0);
     ix__buf_free(&text);
-    return st;
+    return ix__outfile_close(out, st);
 }
 
 ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
@@ -198,12 +200,12 @@ ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
     if (f && !f->write)
         return unsupported(ctx, name, f->suffix, "written");
     if (f)
-        return save_as(ctx, name, f->write, o, w);
+        return save_as(ctx, name, f, o, w);
     ix__buf_init(&full, ctx);
     with_itd(&full, name);
     st = ix__buf_check(&full);
     if (st == IX_OK)
-        st = save_as(ctx, full.data, write_itd, o, w);
+        st = save_as(ctx, full.data, &formats[0], o, w);
     ix__buf_free(&full);
     return st;
 }

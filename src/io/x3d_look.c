@@ -4,19 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "io/write_text.h"
 #include "io/x3d_impl.h"
 
 ix_status ix__x3d_check(const ix__x3d *w)
 {
-    IX_TRY(ix__buf_check(w->b));
-    if (w->nonfinite)
-        return IX_FAIL(w->b->ctx, IX_EDOMAIN,
-                       "a number is infinite or not a number; files hold "
-                       "finite numbers only");
-    if (w->b->len - w->start > IX_MAX_TEXT)
-        return IX_FAIL(w->b->ctx, IX_EUNABLE, "more than %zu bytes of text",
-                       IX_MAX_TEXT);
-    return ix__poll(w->b->ctx);
+    return ix__write_check(w->b, w->start, w->nonfinite);
 }
 
 void ix__x3d_indent(ix__x3d *w)

@@ -250,7 +250,8 @@ static ix_status put_scene(ix__x3d *w, const ix_obj *o)
 
 ix_status ix__x3d_write(ix_buf *b, const ix_obj *o, const ix_write_opts *opts)
 {
-    ix__x3d w = {.b = b, .start = b->len, .tol = opts ? opts->tol : 0};
+    ix__x3d w = {
+        .b = b, .start = ix__buf_total(b), .tol = opts ? opts->tol : 0};
     ix_status st;
 
     IX_TRY(ix__obj_check_size(b->ctx, o, IX_MAX_DEPTH, IX_MAX_TEXT));

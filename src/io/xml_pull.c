@@ -6,14 +6,13 @@
 
 #include <libxml/parser.h>
 #include <libxml/parserInternals.h>
-#include <limits.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "io/xml_scan.h"
 
-enum { PIECE = 1 << 16, MAX_WARNINGS = 20 };
+/* The first piece holds the XML declaration. */
+enum { DECLARATION = 1024 };
 
 typedef struct {
     ix__xkind kind;
@@ -23,64 +22,38 @@ typedef struct {
 
 struct ix__xml {
     ix_ctx *ctx;
-    const char *fname;
-    const char *text; /* behind a byte order mark */
-    size_t n, fed;
+    ix__text t; /* the window is behind what the parser has, too */
+    ix__xml_scan scan;
     xmlParserCtxtPtr parser;
     ix_buf pool, queue; /* texts; records */
     size_t next;        /* record */
+    size_t fed;         /* bytes */
     ix_status st;       /* what follows the queue */
     size_t flaw_at;
     char flaw[256];
-    int warnings;
     bool done;
 };
 
 /* --- places and messages ---------------------------------------------- */
 
-static ix_place place_of(const ix__xml *x, size_t at)
+ix_status ix__xml_fail(ix__xml *x, size_t at, const char *fmt, ...)
 {
-    ix_place pl = {1, 1};
-
-    for (size_t i = 0; i < at && i < x->n; i++) {
-        if (x->text[i] == '\n') {
-            pl.line++;
-            pl.col = 1;
-        } else if (((unsigned char)x->text[i] & 0xc0) != 0x80) {
-            pl.col++;
-        }
-    }
-    return pl;
-}
-
-ix_status ix__xml_fail(const ix__xml *x, size_t at, const char *fmt, ...)
-{
-    ix_place pl = place_of(x, at);
-    char text[384];
+    ix_status st;
     va_list ap;
 
     va_start(ap, fmt);
-    (void)vsnprintf(text, sizeof text, fmt, ap);
+    st = ix__text_fail(&x->t, at, fmt, ap);
     va_end(ap);
-    return IX_FAIL(x->ctx, IX_EPARSE, "%.100s:%d:%d: error: %s", x->fname,
-                   pl.line, pl.col, text);
+    return st;
 }
 
 void ix__xml_warn(ix__xml *x, size_t at, const char *fmt, ...)
 {
-    ix_place pl;
-    char text[384];
     va_list ap;
 
-    if (!x->ctx->note || ++x->warnings > MAX_WARNINGS)
-        return;
-    pl = place_of(x, at);
     va_start(ap, fmt);
-    (void)vsnprintf(text, sizeof text, fmt, ap);
+    ix__text_warn(&x->t, at, fmt, ap);
     va_end(ap);
-    ix__note(
-        x->ctx, "%.100s:%d:%d: warning: %s%s", x->fname, pl.line, pl.col, text,
-        x->warnings == MAX_WARNINGS ? " (further warnings not shown)" : "");
 }
 
 ix_ctx *ix__xml_ctx(const ix__xml *x)
@@ -88,9 +61,9 @@ ix_ctx *ix__xml_ctx(const ix__xml *x)
     return x->ctx;
 }
 
-size_t ix__xml_size(const ix__xml *x)
+size_t ix__xml_most(const ix__xml *x)
 {
-    return x->n;
+    return ix__input_most(x->t.src);
 }
 
 /* --- what libxml2 reports --------------------------------------------- */
@@ -110,7 +83,7 @@ static size_t here(const ix__xml *x)
 {
     long at = xmlByteConsumed(x->parser);
 
-    return at < 0 || (size_t)at > x->n ? x->n : (size_t)at;
+    return at < 0 || (size_t)at > x->fed ? x->fed : (size_t)at;
 }
 
 /* The texts of r are in the pool already. */
@@ -141,6 +114,18 @@ static bool is_ours(const xmlChar *uri)
     return uri && strcmp((const char *)uri, IX_XML_NAMESPACE) == 0;
 }
 
+/* No tag holds another <, and all of it is in the window. */
+static size_t start_of_tag(const ix__xml *x, size_t at)
+{
+    const char *end = x->t.window + (at - x->t.offset), *s = end;
+
+    if (s == x->t.end)
+        s--;
+    while (s > x->t.window && *s != '<')
+        s--;
+    return at - (size_t)(end - s);
+}
+
 static void on_start(void *ud, const xmlChar *name, const xmlChar *prefix,
                      const xmlChar *uri, int nns, const xmlChar **ns,
                      int nattrs, int ndefaulted, const xmlChar **attrs)
@@ -150,8 +135,7 @@ static void on_start(void *ud, const xmlChar *name, const xmlChar *prefix,
     char text[200];
 
     (void)prefix, (void)nns, (void)ns, (void)ndefaulted;
-    while (r.at > 0 && (r.at == x->n || x->text[r.at] != '<'))
-        r.at--; /* no tag holds another < */
+    r.at = start_of_tag(x, r.at);
     if (!is_ours(uri)) {
         (void)snprintf(text, sizeof text,
                        "element \"%.80s\" is not of namespace "
@@ -293,37 +277,21 @@ static ix_status make_parser(ix__xml *x)
     return IX_OK;
 }
 
-static bool is_utf8_mark(const char *text, size_t n)
+ix_status ix__xml_open(ix__input *src, ix__xml **out)
 {
-    return n >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0;
-}
-
-static ix_status open_xml(ix__xml *x)
-{
-    ix__xml_flaw flaw;
-
-    if (x->n > IX_MAX_TEXT)
-        return ix__xml_fail(x, 0, "more than %zu bytes", IX_MAX_TEXT);
-    if (!ix__xml_scan(x->text, x->n, &flaw))
-        return ix__xml_fail(x, flaw.at, "%s", flaw.what);
-    return make_parser(x);
-}
-
-ix_status ix__xml_open(ix_ctx *ctx, const char *fname, const char *text,
-                       size_t n, ix__xml **out)
-{
+    ix_ctx *ctx = ix__input_ctx(src);
     ix__xml *x = ix__alloc(ctx, sizeof *x);
-    size_t mark = is_utf8_mark(text, n) ? 3 : 0;
     ix_status st;
 
     *out = NULL;
     if (!x)
         return IX_ENOMEM;
-    *x = (ix__xml){
-        .ctx = ctx, .fname = fname, .text = text + mark, .n = n - mark};
+    *x = (ix__xml){.ctx = ctx};
     ix__buf_init(&x->pool, ctx);
     ix__buf_init(&x->queue, ctx);
-    st = open_xml(x);
+    st = ix__text_init(&x->t, src);
+    if (st == IX_OK)
+        st = make_parser(x);
     if (st == IX_OK)
         *out = x;
     else
@@ -337,31 +305,71 @@ void ix__xml_close(ix__xml *x)
         return;
     if (x->parser)
         xmlFreeParserCtxt(x->parser);
+    ix__text_free(&x->t);
     ix__buf_free(&x->pool);
     ix__buf_free(&x->queue);
     ix__free(x->ctx, x, sizeof *x);
 }
 
-/* One piece more. Well-formedness is checked at the end of the last one. */
+/* Reads a piece behind the window's end. As much of what the parser has stays
+ * in the window as a tag may have. */
+static ix_status read_piece(ix__xml *x, const char **piece)
+{
+    const char *fed = x->t.window + (x->fed - x->t.offset);
+    size_t back = (size_t)(fed - x->t.window), keep;
+
+    back = back < IX_XML_MAX_TAG ? back : IX_XML_MAX_TAG;
+    x->t.p = fed - back;
+    keep = (size_t)(x->t.end - x->t.p);
+    IX_TRY(ix__text_more(&x->t));
+    if (x->scan.done == 0)
+        IX_TRY(ix__text_ahead(&x->t, DECLARATION));
+    *piece = x->t.p + keep;
+    return IX_OK;
+}
+
+/* What the parser may have: it takes a > within a comment for its end when a
+ * piece ends behind it, so that it gets comments as a whole. */
+static const char *safe_end(const ix__xml *x)
+{
+    bool open = x->scan.state == IX_XS_OPEN || x->scan.state == IX_XS_UNTIL;
+
+    if (!open || x->t.eof)
+        return x->t.end;
+    return x->t.window + (x->scan.open - x->t.offset);
+}
+
+/* Well-formedness is checked at the end of the last piece. */
+static void parse(ix__xml *x, const char *end)
+{
+    const char *s = x->t.window + (x->fed - x->t.offset);
+    handler old = take_errors(x);
+    int code;
+
+    x->done = x->t.eof;
+    x->fed += (size_t)(end - s);
+    code = xmlParseChunk(x->parser, s, (int)(end - s), x->done);
+    give_errors_back(old);
+    if (code == XML_ERR_NO_MEMORY && x->st == IX_OK)
+        x->st = IX_ENOMEM;
+    if (code != XML_ERR_OK && x->st == IX_OK)
+        stop(x, IX_EPARSE, here(x), "not well-formed");
+}
+
 static ix_status feed(ix__xml *x)
 {
-    size_t n = x->n - x->fed < PIECE ? x->n - x->fed : PIECE;
-    handler old;
-    int code;
+    ix__xml_flaw flaw;
+    const char *piece;
 
     IX_TRY(ix__poll(x->ctx));
     x->next = 0;
     ix__buf_clear(&x->queue);
     ix__buf_clear(&x->pool);
-    x->done = x->fed + n == x->n;
-    old = take_errors(x);
-    code = xmlParseChunk(x->parser, x->text + x->fed, (int)n, x->done);
-    give_errors_back(old);
-    x->fed += n;
-    if (code == XML_ERR_NO_MEMORY && x->st == IX_OK)
-        x->st = IX_ENOMEM;
-    if (code != XML_ERR_OK && x->st == IX_OK)
-        stop(x, IX_EPARSE, here(x), "not well-formed");
+    IX_TRY(read_piece(x, &piece));
+    if (!ix__xml_scan_piece(&x->scan, piece, (size_t)(x->t.end - piece), &flaw))
+        stop(x, IX_EPARSE, flaw.at, flaw.what);
+    else if (x->t.eof || safe_end(x) > x->t.window + (x->fed - x->t.offset))
+        parse(x, safe_end(x));
     return IX_OK;
 }
 
@@ -382,7 +390,7 @@ ix_status ix__xml_next(ix__xml *x, ix__xevent *e)
         if (x->st != IX_OK)
             return at_flaw(x);
         if (x->done) {
-            *e = (ix__xevent){.kind = IX_X_EOF, .at = x->n};
+            *e = (ix__xevent){.kind = IX_X_EOF, .at = x->fed};
             return IX_OK;
         }
         IX_TRY(feed(x));

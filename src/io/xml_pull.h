@@ -2,12 +2,11 @@
  *
  * libxml2 is fed the text in pieces; what it reports waits in a queue that is
  * never longer than one piece. No tree is made, nothing is fetched, and what
- * could grow is bounded: see the limits. The text is UTF-8 and stays in
- * place until ix__xml_close, so that places can be counted when needed. */
+ * could grow is bounded: see the limits. */
 #ifndef IO_XML_PULL_H
 #define IO_XML_PULL_H
 
-#include "io/io.h"
+#include "io/text.h"
 
 #define IX_XML_NAMESPACE "urn:iritx:geometry"
 
@@ -30,20 +29,19 @@ typedef struct {
 
 typedef struct ix__xml ix__xml;
 
-/* Err IX_EPARSE (with file:line:col) not XML in UTF-8, a DOCTYPE, over a
- * limit. */
-ix_status ix__xml_open(ix_ctx *ctx, const char *fname, const char *text,
-                       size_t n, ix__xml **out) IX_MUST_CHECK;
+/* src stays the caller's. Err IX_ENOMEM. */
+ix_status ix__xml_open(ix__input *src, ix__xml **out) IX_MUST_CHECK;
 void ix__xml_close(ix__xml *x); /* x may be NULL */
-/* Err IX_EPARSE not well-formed, or an element of another namespace. */
+/* Err IX_EPARSE (with name:line:col) not XML in UTF-8, not well-formed, a
+ * DOCTYPE, over a limit, an element of another namespace. */
 ix_status ix__xml_next(ix__xml *x, ix__xevent *e) IX_MUST_CHECK;
 
 /* IX_EPARSE with "file:line:col: error: " before the text. */
-ix_status ix__xml_fail(const ix__xml *x, size_t at, const char *fmt, ...)
+ix_status ix__xml_fail(ix__xml *x, size_t at, const char *fmt, ...)
     IX_PRINTF(3, 4);
 /* A note with "file:line:col: warning: "; the first 20 of a file. */
 void ix__xml_warn(ix__xml *x, size_t at, const char *fmt, ...) IX_PRINTF(3, 4);
 ix_ctx *ix__xml_ctx(const ix__xml *x);
-size_t ix__xml_size(const ix__xml *x); /* bytes of the whole text */
+size_t ix__xml_most(const ix__xml *x); /* bytes of the whole text, at most */
 
 #endif

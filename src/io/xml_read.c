@@ -3,6 +3,7 @@
  * is. */
 #include <string.h>
 
+#include "io/gather.h"
 #include "io/xml_read_impl.h"
 
 #define MAX_ATTRS 1000 /* of one owner: setting one looks through all */
@@ -202,7 +203,8 @@ static ix_status add_string(ix__xmlr *r, body *b)
 
 static ix_status add_item(ix__xmlr *r, body *b, const entity *e)
 {
-    IX_TRY(ix__xmlr_grow(r, b->n, &b->cap, sizeof *b->item, (void *)&b->item));
+    IX_TRY(
+        ix__gather(r->ctx, b->n, &b->cap, sizeof *b->item, (void *)&b->item));
     IX_TRY(read_one(r, e, &b->item[b->n]));
     b->n++;
     return IX_OK;
@@ -479,19 +481,32 @@ static ix_status read_with(ix__xmlr *r, ix_obj **out)
     return st;
 }
 
-ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
-                       size_t n, ix_obj **out)
+ix_status ix__xml_read_from(ix__input *src, ix_obj **out)
 {
+    ix_ctx *ctx = ix__input_ctx(src);
     ix_mark mk = ix__scratch_mark(ctx);
     ix__xmlr r = {.ctx = ctx};
     ix_status st;
 
     *out = NULL;
-    IX_TRY(ix__xml_open(ctx, fname, text, n, &r.x));
+    IX_TRY(ix__xml_open(src, &r.x));
     ix__buf_init(&r.text, ctx);
     st = read_with(&r, out);
     ix__buf_free(&r.text);
     ix__xml_close(r.x);
     ix__scratch_release(ctx, mk);
+    return st;
+}
+
+ix_status ix__xml_read(ix_ctx *ctx, const char *fname, const char *text,
+                       size_t n, ix_obj **out)
+{
+    ix__input *s;
+    ix_status st;
+
+    *out = NULL;
+    IX_TRY(ix__input_memory(ctx, fname, text, n, 0, &s));
+    st = ix__xml_read_from(s, out);
+    ix__input_close(s);
     return st;
 }

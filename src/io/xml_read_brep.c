@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "io/gather.h"
 #include "io/xml_read_impl.h"
 
 static ix_status need_child(ix__xmlr *r, const char *name)
@@ -46,14 +47,7 @@ static ix_status read_uses(ix__xmlr *r, int n, const char *const *uses,
 
 /* --- trimmed surfaces ------------------------------------------------- */
 
-typedef struct {
-    const ix_mv *srf;
-    int nloops, loop_cap, nsegs, seg_cap;
-    int *size;       /* segments of each loop */
-    ix_trimseg *seg; /* of all loops */
-} trimming;
-
-static ix_status read_segment(ix__xmlr *r, trimming *t)
+static ix_status read_segment(ix__xmlr *r, ix__trimming *t)
 {
     static const char *const uses[] = {"uv", "space"};
     size_t at = r->e.at;
@@ -63,10 +57,7 @@ static ix_status read_segment(ix__xmlr *r, trimming *t)
     if (!ix__xmlr_is(r, "segment"))
         return ix__xmlr_unexpected(r, "segment");
     IX_TRY(ix__xmlr_allow(r, ""));
-    IX_TRY(ix__xmlr_grow(r, t->nsegs, &t->seg_cap, sizeof *t->seg,
-                         (void *)&t->seg));
-    s = &t->seg[t->nsegs++];
-    *s = (ix_trimseg){0};
+    IX_TRY(ix__trimming_seg(r->ctx, t, &s));
     places[0] = &s->uv;
     places[1] = &s->euclid;
     IX_TRY(read_uses(r, 2, uses, places));
@@ -74,7 +65,7 @@ static ix_status read_segment(ix__xmlr *r, trimming *t)
                  : ix__xml_fail(r->x, at, "a segment without its uv curve");
 }
 
-static ix_status read_loop(ix__xmlr *r, trimming *t)
+static ix_status read_loop(ix__xmlr *r, ix__trimming *t)
 {
     size_t at = r->e.at;
     int first = t->nsegs;
@@ -91,28 +82,10 @@ static ix_status read_loop(ix__xmlr *r, trimming *t)
     }
     if (t->nsegs == first)
         return ix__xml_fail(r->x, at, "a loop without segments");
-    IX_TRY(ix__xmlr_grow(r, t->nloops, &t->loop_cap, sizeof *t->size,
-                         (void *)&t->size));
-    t->size[t->nloops++] = t->nsegs - first;
-    return IX_OK;
+    return ix__trimming_loop(r->ctx, t, first);
 }
 
-static ix_status fill_trimsrf(ix__xmlr *r, trimming *t, ix_trimsrf *out)
-{
-    ix_trimseg *from = t->seg;
-
-    for (int i = 0; i < t->nloops; i++) {
-        size_t bytes = (size_t)t->size[i] * sizeof *from;
-
-        IX_TRY(ix__trimloop_segs(r->ctx, &out->loop[i], t->size[i]));
-        memcpy(out->loop[i].seg, from, bytes);
-        memset(from, 0, bytes); /* the references have moved */
-        from += t->size[i];
-    }
-    return IX_OK;
-}
-
-static ix_status read_trimsrf(ix__xmlr *r, trimming *t, ix_trimsrf **out)
+static ix_status read_trimsrf(ix__xmlr *r, ix__trimming *t, ix_trimsrf **out)
 {
     size_t at = r->e.at;
     bool more;
@@ -126,31 +99,21 @@ static ix_status read_trimsrf(ix__xmlr *r, trimming *t, ix_trimsrf **out)
             break;
         IX_TRY(read_loop(r, t));
     }
-    *out = ix__trimsrf_new(r->ctx, t->srf, t->nloops);
-    if (!*out)
-        return IX_ENOMEM;
-    IX_TRY(fill_trimsrf(r, t, *out));
     if (t->nloops == 0)
         ix__xml_warn(r->x, at, "a trimmed surface has no trimming curve");
-    return IX_OK;
+    return ix__trimming_make(r->ctx, t, out);
 }
 
 ix_status ix__xmlr_trimsrf(ix__xmlr *r, const void **out)
 {
     ix_mark mk = ix__scratch_mark(r->ctx);
-    trimming t = {0};
+    ix__trimming t = {0};
     ix_trimsrf *made = NULL;
     ix_status st = read_trimsrf(r, &t, &made);
 
-    for (int i = 0; i < t.nsegs; i++) {
-        ix_mv_unref(r->ctx, t.seg[i].uv);
-        ix_mv_unref(r->ctx, t.seg[i].euclid);
-    }
-    ix_mv_unref(r->ctx, t.srf);
+    ix__trimming_drop(r->ctx, &t);
     ix__scratch_release(r->ctx, mk);
-    if (st != IX_OK && made)
-        ix__trimsrf_unref(r->ctx, made);
-    *out = st == IX_OK ? made : NULL;
+    *out = made;
     return st;
 }
 
@@ -192,12 +155,12 @@ static ix_status read_edge_numbers(ix__xmlr *r, model *m)
             return ix__xmlr_bad_text(r, "the number of an edge expected (from "
                                         "1 on; negative: reversed)");
         }
-        IX_TRY(ix__xmlr_grow(r, m->nrefs, &m->ref_cap, sizeof *m->ref,
-                             (void *)&m->ref));
+        IX_TRY(ix__gather(r->ctx, m->nrefs, &m->ref_cap, sizeof *m->ref,
+                          (void *)&m->ref));
         m->ref[m->nrefs++] = (int)v;
     }
-    IX_TRY(ix__xmlr_grow(r, m->nloops, &m->loop_cap, sizeof *m->loop,
-                         (void *)&m->loop));
+    IX_TRY(ix__gather(r->ctx, m->nloops, &m->loop_cap, sizeof *m->loop,
+                      (void *)&m->loop));
     m->loop[m->nloops++] = l;
     return IX_OK;
 }
@@ -208,8 +171,8 @@ static ix_status read_face(ix__xmlr *r, model *m)
     face *f;
 
     IX_TRY(ix__xmlr_allow(r, ""));
-    IX_TRY(ix__xmlr_grow(r, m->nfaces, &m->face_cap, sizeof *m->face,
-                         (void *)&m->face));
+    IX_TRY(ix__gather(r->ctx, m->nfaces, &m->face_cap, sizeof *m->face,
+                      (void *)&m->face));
     f = &m->face[m->nfaces++];
     *f = (face){0};
     IX_TRY(need_child(r, "surface"));
@@ -232,8 +195,8 @@ static ix_status read_edge(ix__xmlr *r, model *m)
     ix_model_seg *s;
 
     IX_TRY(ix__xmlr_allow(r, " face1 face2 "));
-    IX_TRY(ix__xmlr_grow(r, m->nedges, &m->edge_cap, sizeof *m->edge,
-                         (void *)&m->edge));
+    IX_TRY(ix__gather(r->ctx, m->nedges, &m->edge_cap, sizeof *m->edge,
+                      (void *)&m->edge));
     s = &m->edge[m->nedges++];
     *s = (ix_model_seg){0};
     IX_TRY(ix__xmlr_int(r, "face1", 0, m->nfaces, &s->s1));

@@ -67,10 +67,6 @@ ix_status ix__xmlr_at(ix__xmlr *r, size_t at, ix_status st) IX_MUST_CHECK;
 ix_status ix__xmlr_room(ix__xmlr *r, size_t at, double n,
                         const char *what) IX_MUST_CHECK;
 
-/* An array in scratch that grows: room for one more item behind n. */
-ix_status ix__xmlr_grow(ix__xmlr *r, int n, int *cap, size_t size,
-                        void *items) IX_MUST_CHECK;
-
 /* --- entities --------------------------------------------------------- */
 /* ndirs 0: any. */
 ix_status ix__xmlr_mv(ix__xmlr *r, int ndirs, const ix_mv **out) IX_MUST_CHECK;

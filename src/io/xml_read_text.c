@@ -1,6 +1,5 @@
 /* xml_read_text.c - the smallest parts of XML being read: children,
  * attributes, numbers in text. */
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -370,30 +369,11 @@ ix_status ix__xmlr_at(ix__xmlr *r, size_t at, ix_status st)
 ix_status ix__xmlr_room(ix__xmlr *r, size_t at, double n, const char *what)
 {
     const double small = 65536; /* the end of the file will be met soon */
-    double size = (double)ix__xml_size(r->x);
+    double size = (double)ix__xml_most(r->x);
 
     if (2 * n <= fmax(small, size)) /* a digit and a blank */
         return IX_OK;
     return ix__xml_fail(r->x, at,
                         "%.0f %s cannot stand in a text of %.0f bytes", n, what,
                         size);
-}
-
-ix_status ix__xmlr_grow(ix__xmlr *r, int n, int *cap, size_t size, void *items)
-{
-    void *old, *fresh;
-
-    if (n < *cap)
-        return IX_OK;
-    if (*cap > INT_MAX / 2)
-        return IX_FAIL(r->ctx, IX_ENOMEM, "more than %d items", INT_MAX / 2);
-    fresh = ix__scratch(r->ctx, 2 * (size_t)*cap + 8, size);
-    if (!fresh)
-        return IX_ENOMEM;
-    memcpy(&old, items, sizeof old);
-    if (n > 0)
-        memcpy(fresh, old, (size_t)n * size);
-    memcpy(items, &fresh, sizeof fresh);
-    *cap = 2 * *cap + 8;
-    return IX_OK;
 }

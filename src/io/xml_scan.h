@@ -9,8 +9,23 @@ typedef struct {
     size_t at;
 } ix__xml_flaw;
 
-/* False, and the flaw, if the text has a DOCTYPE, NUL bytes, another encoding
- * than UTF-8, or is over a limit of io/xml_pull.h. */
-bool ix__xml_scan(const char *s, size_t n, ix__xml_flaw *flaw);
+/* Where the look over a text has got to; zeroed before the first piece. */
+typedef struct {
+    enum { IX_XS_TEXT, IX_XS_OPEN, IX_XS_TAG, IX_XS_UNTIL } state;
+    size_t done;  /* bytes looked at */
+    size_t nodes; /* tags, comments, instructions */
+    size_t open;  /* where the present one began */
+    char head[16];
+    int nhead;        /* its first characters, while they tell what it is */
+    char quote;       /* within a tag; NUL: outside quotes */
+    const char *mark; /* what ends a comment ... */
+    int matched;      /* ... and how much of it has just been seen */
+} ix__xml_scan;
+
+/* The next n bytes of the text. False, and the flaw, if there is a DOCTYPE, a
+ * NUL byte, another encoding than UTF-8 (told by the first piece, which must
+ * hold the declaration), or something is over a limit of io/xml_pull.h. */
+bool ix__xml_scan_piece(ix__xml_scan *c, const char *s, size_t n,
+                        ix__xml_flaw *flaw);
 
 #endif

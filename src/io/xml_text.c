@@ -1,5 +1,4 @@
 /* xml_text.c - the smallest parts of written XML: tags, escapes, numbers. */
-#include <math.h>
 #include <string.h>
 
 #include "io/xml_pull.h"
@@ -7,17 +6,7 @@
 
 ix_status ix__xmlw_check(const ix__xmlw *w)
 {
-    ix_ctx *ctx = w->b->ctx;
-
-    IX_TRY(ix__buf_check(w->b));
-    if (w->nonfinite)
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "a number is infinite or not a number; files hold "
-                       "finite numbers only");
-    if (w->b->len - w->start > IX_MAX_TEXT)
-        return IX_FAIL(ctx, IX_EUNABLE, "more than %zu bytes of text",
-                       IX_MAX_TEXT);
-    return ix__poll(ctx);
+    return ix__write_check(w->b, w->start, w->nonfinite);
 }
 
 /* --- text ------------------------------------------------------------- */
@@ -179,9 +168,7 @@ void ix__xmlw_end(ix__xmlw *w, const char *name)
 
 void ix__xmlw_num(ix__xmlw *w, double v)
 {
-    if (!isfinite(v))
-        w->nonfinite = true;
-    ix__buf_num(w->b, v);
+    ix__write_num(w->b, v, &w->nonfinite);
 }
 
 void ix__xmlw_nums(ix__xmlw *w, int n, const double *v)

@@ -200,7 +200,7 @@ ix_status ix__xmlw_object(ix__xmlw *w, const ix_obj *o)
 
 ix_status ix__xml_write(ix_buf *b, const ix_obj *o)
 {
-    ix__xmlw w = {.b = b, .start = b->len, .depth = 1};
+    ix__xmlw w = {.b = b, .start = ix__buf_total(b), .depth = 1};
 
     IX_TRY(ix__obj_check_size(b->ctx, o, IX_MAX_DEPTH, IX_MAX_TEXT));
     ix__buf_puts(b, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

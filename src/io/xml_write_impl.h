@@ -6,11 +6,11 @@
 #ifndef IO_XML_WRITE_IMPL_H
 #define IO_XML_WRITE_IMPL_H
 
-#include "io/io.h"
+#include "io/write_text.h"
 
 typedef struct {
     ix_buf *b;
-    size_t start;   /* length of b before */
+    size_t start;   /* bytes of b before */
     int depth;      /* of open elements */
     bool nonfinite; /* some number was NaN or infinite */
 } ix__xmlw;
