@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "io/shapes.h"
+
 /* What an element inherits from the lists that hold it. */
 typedef struct {
     double rgb[3], width;
@@ -370,42 +372,150 @@ static ix_status add_surface(builder *b, const ix_mv *m, const style *st)
     return b->o->mesh ? add_mesh(b, m, st) : IX_OK;
 }
 
-/* A curve of parameters as it lies on the surface. */
-static ix_status curve_on_surface(builder *b, const ix_mv *uv, const ix_mv *m,
-                                  const style *st)
+/* --- trimmed surfaces and models
+ * -------------------------------------------------------------------------- */
+
+static ix_status border_of(builder *b, const ix__lines *l, const style *st)
 {
-    ix_ctx *ctx = b->s->ctx;
-    size_t first = b->s->npts;
-    double *t, dom[2][2];
-    int n;
+    for (size_t i = 0; i < l->nlines; i++) {
+        size_t first = b->s->npts;
 
-    for (int d = 0; d < 2; d++)
-        ix_mv_domain(m, d, dom[d]);
-    IX_TRY(samples(ctx, uv, 0, 120, &t, &n));
-    for (int i = 0; i < n; i++) {
-        double x[IX_MAX_COORDS], h[IX_MAX_COORDS + 1], p[3];
-
-        IX_TRY(ix_mv_point(ctx, uv, &t[i], x));
-        for (int d = 0; d < 2; d++)
-            x[d] = fmin(fmax(x[d], dom[d][0]), dom[d][1]);
-        IX_TRY(ix_mv_eval(ctx, m, x, h));
-        if (project(m, h, 1, p))
-            IX_TRY(add_point(b->s, p));
+        for (size_t k = l->start[i]; k < l->start[i + 1]; k++)
+            IX_TRY(add_point(b->s, l->xyz + 3 * k));
+        IX_TRY(add_path(b->s, IX_PATH_LINE, st, first, false));
     }
-    return add_path(b->s, IX_PATH_LINE, st, first, false);
+    return IX_OK;
 }
 
-static ix_status add_trimmed(builder *b, const ix_trimsrf *t, const style *st)
+/* Triangles where they hide or shade something. */
+static ix_status triangles_of(builder *b, const ix__mesh *m, const style *st)
 {
-    style faint = *st;
+    size_t first = b->s->npts;
 
-    for (int k = 0; k < 3; k++)
-        faint.rgb[k] = 0.6 + 0.4 * faint.rgb[k];
-    IX_TRY(add_surface(b, t->srf, &faint));
-    for (int l = 0; l < t->nloops; l++)
-        for (int k = 0; k < t->loop[l].n; k++)
-            if (ix_mv_ncoords(t->loop[l].seg[k].uv) >= 2)
-                IX_TRY(curve_on_surface(b, t->loop[l].seg[k].uv, t->srf, st));
+    if (!b->o->mesh)
+        return IX_OK;
+    for (size_t i = 0; i < m->nverts; i++)
+        IX_TRY(add_point(b->s, m->xyz + 3 * i));
+    for (size_t i = 0; i < m->ntris; i++)
+        IX_TRY(add_triangle(b->s, st, first + m->tri[i][0],
+                            first + m->tri[i][1], first + m->tri[i][2]));
+    return IX_OK;
+}
+
+/* Where a triangle is cut by the line p[dir] = at: returns how many of its
+ * sides are, and the points. Corners on the line count to its upper side, so
+ * that triangles side by side agree. */
+static int cut_triangle(const ix__mesh *m, const uint32_t *t, int dir,
+                        double at, double p[2][3])
+{
+    int n = 0;
+
+    for (int k = 0; k < 3; k++) {
+        size_t i = t[k], j = t[(k + 1) % 3];
+        double a = m->uv[2 * i + (size_t)dir] - at;
+        double b = m->uv[2 * j + (size_t)dir] - at;
+
+        if ((a < 0) == (b < 0))
+            continue;
+        for (size_t c = 0; c < 3; c++)
+            p[n][c] = m->xyz[3 * i + c] +
+                      a / (a - b) * (m->xyz[3 * j + c] - m->xyz[3 * i + c]);
+        n++;
+    }
+    return n;
+}
+
+/* Isoparametric lines of what is left of the surface, as cuts through its
+ * triangles. */
+static ix_status iso_lines(builder *b, const ix_mv *srf, const ix__mesh *m,
+                           const style *st)
+{
+    int n = b->isolines + 1;
+    style thin = *st;
+
+    thin.width *= 0.6;
+    for (int dir = 0; dir < 2; dir++) {
+        double dom[2];
+
+        ix_mv_domain(srf, dir, dom);
+        for (int i = 1; i < n; i++)
+            for (size_t k = 0; k < m->ntris; k++) {
+                size_t first = b->s->npts;
+                double p[2][3];
+
+                if (cut_triangle(m, m->tri[k], dir,
+                                 dom[0] + (dom[1] - dom[0]) * i / n, p) < 2)
+                    continue;
+                IX_TRY(add_point(b->s, p[0]));
+                IX_TRY(add_point(b->s, p[1]));
+                IX_TRY(add_path(b->s, IX_PATH_EDGE, &thin, first, false));
+            }
+    }
+    return IX_OK;
+}
+
+static ix_status add_face(builder *b, const ix__face *f, const ix__mesh *m,
+                          double tol, const style *st)
+{
+    ix__lines l;
+    ix_status s;
+
+    if (f->nloops == 0)
+        return add_surface(b, f->srf, st);
+    IX_TRY(ix__lines_of_face(b->s->ctx, f, tol, &l));
+    s = border_of(b, &l, st);
+    ix__lines_free(b->s->ctx, &l);
+    if (s == IX_OK)
+        s = iso_lines(b, f->srf, m, st);
+    if (s == IX_OK)
+        s = triangles_of(b, m, st);
+    if (s == IX_OK && b->o->net)
+        s = net_of_surface(b, f->srf, st);
+    return s;
+}
+
+static ix_status add_faces(builder *b, int n, const ix__face *f, double tol,
+                           const style *st)
+{
+    ix_status s = IX_OK;
+    ix__mesh *m;
+
+    IX_TRY(ix__mesh_of_faces(b->s->ctx, n, f, tol, &m));
+    for (int i = 0; i < n; i++) {
+        if (s == IX_OK)
+            s = add_face(b, &f[i], &m[i], tol, st);
+        ix__mesh_free(b->s->ctx, &m[i]);
+    }
+    return s;
+}
+
+static ix_status all_faces(builder *b, const ix_obj *o, int i, const style *st)
+{
+    ix_ctx *ctx = b->s->ctx;
+    const void *item = ix__seq_item(o, i);
+    const ix_model *model = o->type == IX_OBJ_MODEL ? item : NULL;
+    ix__face one, *all = &one;
+    double tol;
+
+    IX_TRY(ix__shape_tol(ctx, o, &tol));
+    if (model)
+        IX_TRY(ix__faces_of_model(ctx, model, &all));
+    else
+        IX_TRY(ix__face_of_trimsrf(ctx, item, &one));
+    return add_faces(b, model ? model->nsrf : 1, all, 2 * tol, st);
+}
+
+/* What cannot be trimmed is told and left out. */
+static ix_status add_trimmed(builder *b, const ix_obj *o, int i,
+                             const style *st)
+{
+    ix_ctx *ctx = b->s->ctx;
+    ix_status s = all_faces(b, o, i, st);
+
+    if (s != IX_EARG && s != IX_EDOMAIN && s != IX_EUNABLE)
+        return s;
+    ix__note(ctx, "warning: %.60s is not drawn: %s",
+             o->name ? o->name : "an object", ix_ctx_message(ctx));
     return IX_OK;
 }
 
@@ -508,8 +618,9 @@ static ix_status add_leaf(builder *b, const ix_obj *o, const style *st)
             IX_TRY(add_polygon(b, &o->u.poly->poly[i], st));
         return IX_OK;
     case IX_OBJ_TRIMSRF:
-        for (int i = 0; i < o->u.trim.n; i++)
-            IX_TRY(add_trimmed(b, o->u.trim.item[i], st));
+    case IX_OBJ_MODEL:
+        for (int i = 0; i < ix__seq_count(o); i++)
+            IX_TRY(add_trimmed(b, o, i, st));
         return IX_OK;
     case IX_OBJ_CURVE:
     case IX_OBJ_SURFACE:

@@ -153,6 +153,60 @@ static ix_status freeform(walker *w, const ix_obj *o, const ix_mv *m)
     }
 }
 
+/* --- trimmed surfaces and models ------------------------------------------ */
+
+static ix_status meshes(walker *w, const ix_obj *o, int n, const ix__face *face)
+{
+    ix_status st = IX_OK;
+    ix__mesh *m;
+
+    IX_TRY(ix__mesh_of_faces(w->ctx, n, face, w->tol, &m));
+    for (int i = 0; i < n; i++)
+        if (st == IX_OK)
+            st = give_mesh(w, o, &m[i]);
+        else
+            ix__mesh_free(w->ctx, &m[i]);
+    return st;
+}
+
+static ix_status faces(walker *w, const ix_obj *o, int n, const ix__face *face)
+{
+    if (w->sink->faces) {
+        w->written++;
+        return w->sink->faces(w->sink->arg, o, n, face);
+    }
+    if (w->sink->mesh)
+        return meshes(w, o, n, face);
+    w->skipped++;
+    return IX_OK;
+}
+
+/* Loops that are none: the reason is told, the rest is written. */
+static ix_status leave_out(walker *w, ix_status st)
+{
+    if (st != IX_EARG && st != IX_EDOMAIN)
+        return st;
+    ix__note(w->ctx, "warning: %s", ix_ctx_message(w->ctx));
+    w->skipped++;
+    return IX_OK;
+}
+
+static ix_status trimmed(walker *w, const ix_obj *o, const ix_trimsrf *t)
+{
+    ix__face face;
+    ix_status st = ix__face_of_trimsrf(w->ctx, t, &face);
+
+    return st == IX_OK ? faces(w, o, 1, &face) : leave_out(w, st);
+}
+
+static ix_status model(walker *w, const ix_obj *o, const ix_model *m)
+{
+    ix__face *face;
+    ix_status st = ix__faces_of_model(w->ctx, m, &face);
+
+    return st == IX_OK ? faces(w, o, m->nsrf, face) : leave_out(w, st);
+}
+
 /* --- leaves -------------------------------------------------------------- */
 
 static ix_status point(walker *w, const ix_obj *o, const double p[3])
@@ -183,7 +237,9 @@ static ix_status item(walker *w, const ix_obj *o, const void *it)
 {
     switch (o->type) {
     case IX_OBJ_TRIMSRF:
+        IX_RETURN_SCOPED(w->ctx, trimmed(w, o, it));
     case IX_OBJ_MODEL:
+        IX_RETURN_SCOPED(w->ctx, model(w, o, it));
     case IX_OBJ_TRISRF:
         w->skipped++;
         return IX_OK;

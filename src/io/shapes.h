@@ -4,8 +4,8 @@
 #ifndef IO_SHAPES_H
 #define IO_SHAPES_H
 
+#include "io/faces.h"
 #include "io/io.h"
-#include "mv/tessellate.h"
 
 /* A writer: its functions get arg; NULL: the format has no such thing. o is
  * the object that the shape comes from, for names and colours. */
@@ -14,6 +14,8 @@ typedef struct {
     /* curves and surfaces as they are; else, if NULL, the next two */
     ix_status (*freeform)(void *arg, const ix_obj *o, const ix_mv *m);
     ix_status (*mesh)(void *arg, const ix_obj *o, const ix__mesh *m);
+    /* a trimmed surface (one face) or model as it is; else, if NULL, meshes */
+    ix_status (*faces)(void *arg, const ix_obj *o, int n, const ix__face *f);
     ix_status (*lines)(void *arg, const ix_obj *o, const ix__lines *l);
     ix_status (*poly)(void *arg, const ix_obj *o, const ix_poly *p);
     ix_status (*point)(void *arg, const ix_obj *o, const double p[3]);

@@ -6,9 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "io/faces.h"
 #include "io/x3d_impl.h"
 #include "mv/mv.h"
-#include "mv/tessellate.h"
 
 /* --- into the form of X3D --------------------------------------------- */
 
@@ -475,6 +475,8 @@ static ix_status put_trimmed(ix__x3d *w, const char *name,
     return ix__x3d_check(w);
 }
 
+/* --- faces ------------------------------------------------------------ */
+
 static bool has_poles(const ix__x3d *w, const char *name, const ix_mv *m)
 {
     if (!ix_mv_has_poles(m))
@@ -486,124 +488,128 @@ static bool has_poles(const ix__x3d *w, const char *name, const ix_mv *m)
     return true;
 }
 
-/* Takes the curves of c. */
-static ix_status put_and_drop(ix__x3d *w, const char *name,
-                              const ix__x3d_look *look, const ix_mv *srf,
-                              contours *c, ix_status st)
-{
-    ix_ctx *ctx = w->b->ctx;
-    ix_mv *ready = NULL;
-
-    if (st == IX_OK)
-        st = prepare(ctx, srf, 3, &ready);
-    if (st == IX_OK)
-        st = put_trimmed(w, name, look, ready, c);
-    ix_mv_unref(ctx, ready);
-    for (int i = 0; i < c->ncurves; i++)
-        ix_mv_unref(ctx, c->curve[i]);
-    return st;
-}
-
-static ix_status add_curve(ix_ctx *ctx, contours *c, const ix_mv *uv,
-                           bool backwards)
-{
-    ix_mv **at = &c->curve[c->ncurves];
-
-    if (ix_mv_has_poles(uv))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "a trimming curve has weights of both signs");
-    IX_TRY(prepare(ctx, uv, 2, at));
-    c->ncurves++;
-    return backwards ? reverse_loop(ctx, 1, at) : IX_OK;
-}
-
-static ix_status make_room(ix_ctx *ctx, contours *c, int nloops, int ncurves)
-{
-    c->nloops = nloops;
-    IX_SCRATCH(ctx, c->size, nloops);
-    IX_SCRATCH(ctx, c->curve, ncurves);
-    return IX_OK;
-}
-
-static ix_status add_trims(ix_ctx *ctx, contours *c, const ix_trimsrf *t)
+/* The curves of a face, in the order and sense of its loops. */
+static ix_status add_curves(ix_ctx *ctx, contours *c, const ix__face *f)
 {
     int n = 0;
 
-    for (int i = 0; i < t->nloops; i++)
-        n += t->loop[i].n;
-    IX_TRY(make_room(ctx, c, t->nloops, n));
-    for (int i = 0; i < t->nloops; i++) {
-        c->size[i] = t->loop[i].n;
-        for (int k = 0; k < t->loop[i].n; k++)
-            IX_TRY(add_curve(ctx, c, t->loop[i].seg[k].uv, false));
+    for (int i = 0; i < f->nloops; i++)
+        n += f->loop[i].n;
+    c->nloops = f->nloops;
+    IX_SCRATCH(ctx, c->size, f->nloops);
+    IX_SCRATCH(ctx, c->curve, n);
+    for (int i = 0; i < f->nloops; i++) {
+        c->size[i] = f->loop[i].n;
+        for (int k = 0; k < f->loop[i].n; k++) {
+            ix_mv **at = &c->curve[c->ncurves];
+
+            IX_TRY(prepare(ctx, f->loop[i].curve[k].uv, 2, at));
+            c->ncurves++;
+            if (f->loop[i].curve[k].back)
+                IX_TRY(reverse_loop(ctx, 1, at));
+        }
     }
     return IX_OK;
+}
+
+static ix_status put_exact(ix__x3d *w, const char *name,
+                           const ix__x3d_look *look, const ix__face *f)
+{
+    ix_ctx *ctx = w->b->ctx;
+    ix_mark mk = ix__scratch_mark(ctx);
+    contours c = {0};
+    ix_mv *ready = NULL;
+    ix_status st = add_curves(ctx, &c, f);
+
+    if (st == IX_OK)
+        st = prepare(ctx, f->srf, 3, &ready);
+    if (st == IX_OK)
+        st = put_trimmed(w, name, look, ready, &c);
+    ix_mv_unref(ctx, ready);
+    for (int i = 0; i < c.ncurves; i++)
+        ix_mv_unref(ctx, c.curve[i]);
+    ix__scratch_release(ctx, mk);
+    return st;
+}
+
+/* Both, as put_prepared; mesh may be NULL. */
+static ix_status put_face(ix__x3d *w, const char *name,
+                          const ix__x3d_look *look, const ix__face *f,
+                          const ix__mesh *mesh)
+{
+    if (has_poles(w, name, f->srf))
+        return IX_OK;
+    ix__x3d_line(w, "<Switch whichChoice=\"0\">");
+    w->depth++;
+    IX_TRY(put_exact(w, name, look, f));
+    if (mesh && mesh->ntris > 0)
+        IX_TRY(put_mesh(w, look, mesh));
+    w->depth--;
+    ix__x3d_line(w, "</Switch>");
+    return ix__x3d_check(w);
+}
+
+/* Without triangles where too many would be needed: the exact shape is there.
+ */
+static ix_status put_faces(ix__x3d *w, const char *name,
+                           const ix__x3d_look *look, int n, const ix__face *f)
+{
+    ix_ctx *ctx = w->b->ctx;
+    ix__mesh *mesh;
+    ix_status st = ix__mesh_of_faces(ctx, n, f, w->tol, &mesh);
+    bool some = st == IX_OK;
+
+    if (st == IX_EUNABLE)
+        st = IX_OK;
+    for (int i = 0; i < n; i++) {
+        if (st == IX_OK)
+            st = put_face(w, name, look, &f[i], some ? &mesh[i] : NULL);
+        if (some)
+            ix__mesh_free(ctx, &mesh[i]);
+    }
+    return st;
+}
+
+/* Loops that are none: the reason is told, the rest is written. */
+static ix_status leave_out(ix__x3d *w, const char *name, ix_status st)
+{
+    ix_ctx *ctx = w->b->ctx;
+
+    if (st != IX_EARG && st != IX_EDOMAIN)
+        return st;
+    ix__note(ctx, "warning: %.60s is not in the X3D file: %s",
+             name ? name : "an object", ix_ctx_message(ctx));
+    return IX_OK;
+}
+
+static ix_status put_trimsrf(ix__x3d *w, const char *name,
+                             const ix__x3d_look *look, const ix_trimsrf *t)
+{
+    ix__face f;
+    ix_status st = ix__face_of_trimsrf(w->b->ctx, t, &f);
+
+    return st == IX_OK ? put_faces(w, name, look, 1, &f)
+                       : leave_out(w, name, st);
 }
 
 ix_status ix__x3d_trimsrf(ix__x3d *w, const char *name,
                           const ix__x3d_look *look, const ix_trimsrf *t)
 {
-    ix_mark mk = ix__scratch_mark(w->b->ctx);
-    contours c = {0};
-    ix_status st = IX_OK;
-
-    if (!has_poles(w, name, t->srf))
-        st = put_and_drop(w, name, look, t->srf, &c,
-                          add_trims(w->b->ctx, &c, t));
-    ix__scratch_release(w->b->ctx, mk);
-    return st;
+    IX_RETURN_SCOPED(w->b->ctx, put_trimsrf(w, name, look, t));
 }
 
-/* --- models ----------------------------------------------------------- */
-
-/* The curve of edge e (from 1 on; negative: reversed) on face f. A seam has
- * both curves there: the second one is for the way back. */
-static const ix_mv *curve_on(const ix_model *m, int e, int f)
+static ix_status put_model(ix__x3d *w, const char *name,
+                           const ix__x3d_look *look, const ix_model *m)
 {
-    const ix_model_seg *s = &m->seg[(e < 0 ? -e : e) - 1];
+    ix__face *f;
+    ix_status st = ix__faces_of_model(w->b->ctx, m, &f);
 
-    if (s->s1 == f && s->s2 == f)
-        return e < 0 && s->uv2 ? s->uv2 : s->uv1;
-    return s->s1 == f ? s->uv1 : s->s2 == f ? s->uv2 : NULL;
-}
-
-static ix_status add_face(ix_ctx *ctx, contours *c, const ix_model *m, int f)
-{
-    const ix_model_srf *s = &m->srf[f - 1];
-    int n = 0;
-
-    for (int i = 0; i < s->nloops; i++)
-        n += s->nseg[i];
-    IX_TRY(make_room(ctx, c, 0, n));
-    IX_SCRATCH(ctx, c->size, s->nloops);
-    for (int i = 0; i < s->nloops; i++) {
-        int before = c->ncurves;
-
-        for (int k = 0; k < s->nseg[i]; k++) {
-            const ix_mv *uv = curve_on(m, s->seg[i][k], f);
-
-            if (uv)
-                IX_TRY(add_curve(ctx, c, uv, s->seg[i][k] < 0));
-        }
-        if (c->ncurves > before)
-            c->size[c->nloops++] = c->ncurves - before;
-    }
-    return IX_OK;
+    return st == IX_OK ? put_faces(w, name, look, m->nsrf, f)
+                       : leave_out(w, name, st);
 }
 
 ix_status ix__x3d_model(ix__x3d *w, const char *name, const ix__x3d_look *look,
                         const ix_model *m)
 {
-    for (int i = 0; i < m->nsrf; i++) {
-        ix_mark mk = ix__scratch_mark(w->b->ctx);
-        contours c = {0};
-        ix_status st = IX_OK;
-
-        if (!has_poles(w, name, m->srf[i].srf))
-            st = put_and_drop(w, name, look, m->srf[i].srf, &c,
-                              add_face(w->b->ctx, &c, m, i + 1));
-        ix__scratch_release(w->b->ctx, mk);
-        IX_TRY(st);
-    }
-    return IX_OK;
+    IX_RETURN_SCOPED(w->b->ctx, put_model(w, name, look, m));
 }

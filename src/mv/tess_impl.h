@@ -45,7 +45,7 @@ typedef struct {
 
 /* The samples of a curve (second direction: one sample) or surface, their
  * points and the cells between them. */
-typedef struct {
+struct ix__tess_grid {
     ix__tess_dir d[2];
     size_t nverts;       /* d[0].nsamples * d[1].nsamples, d[0] fastest */
     double *xyz;         /* double[nverts][3]; not finite at poles */
@@ -53,11 +53,33 @@ typedef struct {
     size_t nleft;        /* cells at poles */
     double slope[2];     /* largest first derivatives of the kept boxes, by
                             the surface's own parameters */
-} ix__tess_grid;
+};
+
+/* --- parameters as integers
+ * The k-th line of the grid is at k IX__CDT_SIDE, and what is very near to it
+ * is on it; cells are divided evenly. Outside of the domain up to 16 cells are
+ * told apart. */
+int64_t ix__tess_place(const ix__tess_dir *d, double t);
+/* The nearest line's place if that is very near, else x. */
+int64_t ix__tess_snap(int64_t x);
+/* The parameter at a place in the domain. */
+double ix__tess_param(const ix__tess_dir *d, int64_t x);
 
 /* Err as ix__mesh_of_srf. */
 ix_status ix__tess_grid_of(ix_ctx *ctx, const ix_mv *m, double tol,
                            ix__tess_grid *out) IX_MUST_CHECK;
+
+/* All triangles of a grid. */
+ix_status ix__mesh_of_grid(ix_ctx *ctx, const ix__tess_grid *g,
+                           ix__mesh *out) IX_MUST_CHECK;
+/* Parameters of its vertices: uv[nverts][2]. */
+void ix__tess_put_uv(const ix__tess_grid *g, double *uv);
+/* Two corners of a triangle are the same point. */
+bool ix__tess_degenerate(const double *xyz, const uint32_t *t);
+/* The two triangles of a cell with corners k: cut along the shorter diagonal.
+ * Returns how many of them, not degenerate, are written to t. */
+size_t ix__tess_cut_cell(const double *xyz, const uint32_t k[4],
+                         uint32_t (*t)[3]);
 
 /* The vertices that triangles use, and these, as a result. */
 ix_status ix__mesh_pack(ix_ctx *ctx, size_t nverts, const double *xyz,

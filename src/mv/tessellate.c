@@ -12,7 +12,7 @@ static bool same_point(const double *a, const double *b)
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-static bool degenerate(const double *xyz, const uint32_t *t)
+bool ix__tess_degenerate(const double *xyz, const uint32_t *t)
 {
     const double *a = xyz + 3 * (size_t)t[0], *b = xyz + 3 * (size_t)t[1];
     const double *c = xyz + 3 * (size_t)t[2];
@@ -27,9 +27,8 @@ static double distance2(const double *a, const double *b)
     return x * x + y * y + z * z;
 }
 
-/* The two triangles of a cell with corners k: cut along the shorter diagonal.
- * Returns how many of them are written to t. */
-static size_t cut_cell(const double *xyz, const uint32_t k[4], uint32_t (*t)[3])
+size_t ix__tess_cut_cell(const double *xyz, const uint32_t k[4],
+                         uint32_t (*t)[3])
 {
     /* corners: 0 low, 1 right, 2 high, 3 left */
     static const int by[2][2][3] = {{{0, 1, 2}, {0, 2, 3}},
@@ -41,7 +40,7 @@ static size_t cut_cell(const double *xyz, const uint32_t k[4], uint32_t (*t)[3])
     for (int i = 0; i < 2; i++) {
         for (int c = 0; c < 3; c++)
             t[n][c] = k[by[other][i][c]];
-        n += !degenerate(xyz, t[n]);
+        n += !ix__tess_degenerate(xyz, t[n]);
     }
     return n;
 }
@@ -63,7 +62,7 @@ static ix_status all_triangles(ix_ctx *ctx, const ix__tess_grid *g,
             const uint32_t corner[4] = {low, low + 1, low + n0 + 1, low + n0};
 
             if (g->cell[k])
-                *ntris += cut_cell(g->xyz, corner, *tri + *ntris);
+                *ntris += ix__tess_cut_cell(g->xyz, corner, *tri + *ntris);
         }
     return IX_OK;
 }
@@ -110,18 +109,13 @@ ix_status ix__mesh_pack(ix_ctx *ctx, size_t nverts, const double *xyz,
     return IX_OK;
 }
 
-static ix_status grid_uv(ix_ctx *ctx, const ix__tess_grid *g, double **out)
+void ix__tess_put_uv(const ix__tess_grid *g, double *uv)
 {
-    double *uv;
-
-    IX_SCRATCH(ctx, uv, 2 * g->nverts);
-    *out = uv;
     for (int j = 0; j < g->d[1].nsamples; j++)
         for (int i = 0; i < g->d[0].nsamples; i++) {
             *uv++ = g->d[0].t[i];
             *uv++ = g->d[1].t[j];
         }
-    return IX_OK;
 }
 
 void ix__tess_note(ix_ctx *ctx, size_t nleft)
@@ -132,31 +126,52 @@ void ix__tess_note(ix_ctx *ctx, size_t nleft)
                  "is left out");
 }
 
-static ix_status mesh_of_srf(ix_ctx *ctx, const ix_mv *srf, double tol,
-                             ix__mesh *out)
+static ix_status mesh_of_grid(ix_ctx *ctx, const ix__tess_grid *g,
+                              ix__mesh *out)
 {
     uint32_t(*tri)[3];
-    ix__tess_grid g;
     size_t ntris;
     double *uv;
 
-    IX_TRY(ix__tess_grid_of(ctx, srf, tol, &g));
-    IX_TRY(all_triangles(ctx, &g, &tri, &ntris));
-    IX_TRY(grid_uv(ctx, &g, &uv));
-    IX_TRY(ix__mesh_pack(ctx, g.nverts, g.xyz, uv, ntris,
+    IX_TRY(all_triangles(ctx, g, &tri, &ntris));
+    IX_SCRATCH(ctx, uv, 2 * g->nverts);
+    ix__tess_put_uv(g, uv);
+    IX_TRY(ix__mesh_pack(ctx, g->nverts, g->xyz, uv, ntris,
                          (const uint32_t(*)[3])tri, out));
-    out->nleft = g.nleft;
-    ix__tess_note(ctx, g.nleft);
+    out->nleft = g->nleft;
+    ix__tess_note(ctx, g->nleft);
     return IX_OK;
+}
+
+ix_status ix__mesh_of_grid(ix_ctx *ctx, const ix__tess_grid *g, ix__mesh *out)
+{
+    *out = (ix__mesh){0};
+    IX_RETURN_SCOPED(ctx, mesh_of_grid(ctx, g, out));
+}
+
+ix_status ix__mesh_grid(ix_ctx *ctx, const ix_mv *srf, double tol,
+                        ix__tess_grid **out)
+{
+    if (srf->ndirs != 2)
+        return IX_FAIL(ctx, IX_EARG, "%d directions are not a surface",
+                       srf->ndirs);
+    IX_SCRATCH(ctx, *out, 1);
+    return ix__tess_grid_of(ctx, srf, tol, *out);
+}
+
+static ix_status mesh_of_srf(ix_ctx *ctx, const ix_mv *srf, double tol,
+                             ix__mesh *out)
+{
+    ix__tess_grid *g;
+
+    IX_TRY(ix__mesh_grid(ctx, srf, tol, &g));
+    return mesh_of_grid(ctx, g, out);
 }
 
 ix_status ix__mesh_of_srf(ix_ctx *ctx, const ix_mv *srf, double tol,
                           ix__mesh *out)
 {
     *out = (ix__mesh){0};
-    if (srf->ndirs != 2)
-        return IX_FAIL(ctx, IX_EARG, "%d directions are not a surface",
-                       srf->ndirs);
     IX_RETURN_SCOPED(ctx, mesh_of_srf(ctx, srf, tol, out));
 }
 
@@ -185,8 +200,8 @@ static void count_lines(const ix__tess_grid *g, size_t *nlines, size_t *npts)
     }
 }
 
-static ix_status alloc_lines(ix_ctx *ctx, size_t nlines, size_t npts,
-                             ix__lines *out)
+ix_status ix__lines_alloc(ix_ctx *ctx, size_t nlines, size_t npts,
+                          ix__lines *out)
 {
     size_t bytes = 4 * npts * sizeof(double) + (nlines + 1) * sizeof(size_t);
     double *x = ix__alloc(ctx, bytes);
@@ -226,7 +241,7 @@ static ix_status lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
 
     IX_TRY(ix__tess_grid_of(ctx, crv, tol, &g));
     count_lines(&g, &nlines, &npts);
-    IX_TRY(alloc_lines(ctx, nlines, npts, out));
+    IX_TRY(ix__lines_alloc(ctx, nlines, npts, out));
     put_lines(&g, out);
     out->nleft = g.nleft;
     ix__tess_note(ctx, g.nleft);

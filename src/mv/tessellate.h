@@ -35,6 +35,46 @@ ix_status ix__mesh_of_srf(ix_ctx *ctx, const ix_mv *srf, double tol,
                           ix__mesh *out) IX_MUST_CHECK;
 void ix__mesh_free(ix_ctx *ctx, ix__mesh *m);
 
+/* A closed polyline in the parameter plane of a surface. */
+typedef struct {
+    size_t n;
+    const double *uv;  /* double[n][2] */
+    const double *xyz; /* double[n][3]: where to put them, or NULL: on the
+                          surface */
+} ix__trim_loop;
+
+/* The samples of a surface, for what is made in several steps; in scratch. */
+typedef struct ix__tess_grid ix__tess_grid;
+ix_status ix__mesh_grid(ix_ctx *ctx, const ix_mv *srf, double tol,
+                        ix__tess_grid **out) IX_MUST_CHECK;
+/* Triangles of the part of the surface that an odd number of loops encloses
+ * (all of it without loops). Each lies in one cell of the grid, so that its
+ * error is bounded as that of the whole surface is. Vertices on the border of
+ * the part are the points of the loops, and others on the lines between them
+ * where these cross the grid or each other. Outside of the domain loops are
+ * drawn to its border. Err IX_EUNABLE the surface jumps, loops cross
+ * everywhere, too many points. */
+ix_status ix__mesh_of_part(ix_ctx *ctx, const ix_mv *srf,
+                           const ix__tess_grid *g, int nloops,
+                           const ix__trim_loop *loop,
+                           ix__mesh *out) IX_MUST_CHECK;
+
+/* Parameters of a trimming curve, sorted, in scratch: the polyline through them
+ * stays, on the surface, within tol of the curve (by the largest first
+ * derivatives of the surface). The curve's own domain; its ends are among them.
+ * Err IX_EDOMAIN the curve has poles. */
+ix_status ix__trim_samples(ix_ctx *ctx, const ix__tess_grid *g, const ix_mv *uv,
+                           double tol, size_t *n, double **t) IX_MUST_CHECK;
+/* Where parameters are in the grid, in integers: points at the same place
+ * become one vertex. Is one of the two on a line of the grid? */
+void ix__trim_place(const ix__tess_grid *g, const double uv[2], int64_t x[2]);
+bool ix__trim_on_line(int64_t x);
+/* More of them: where the polyline crosses lines of the grid, the curve does so
+ * at a parameter between, which is added. */
+ix_status ix__trim_crossings(ix_ctx *ctx, const ix__tess_grid *g,
+                             const ix_mv *uv, size_t *n,
+                             double **t) IX_MUST_CHECK;
+
 /* Polylines of a curve: one, or more if it jumps or has poles. Line i holds
  * the points start[i] .. start[i + 1] - 1. */
 typedef struct {
@@ -49,6 +89,9 @@ typedef struct {
 /* Errors as ix__mesh_of_srf. */
 ix_status ix__lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
                            ix__lines *out) IX_MUST_CHECK;
+/* Room for them, not filled. */
+ix_status ix__lines_alloc(ix_ctx *ctx, size_t nlines, size_t npts,
+                          ix__lines *out) IX_MUST_CHECK;
 void ix__lines_free(ix_ctx *ctx, ix__lines *l);
 
 #endif

@@ -151,11 +151,58 @@ static void out_of_memory(void **state)
     assert_true(ix_fault_run(&c) > 5);
 }
 
+#define PLATE                                                                 \
+    "[OBJECT P [TRIMSRF [SURFACE BEZIER 2 2 E3 [0 0 0][4 0 0][0 4 0][4 4 0]]" \
+    "[TRIMCRV [TRIMCRVSEG [CURVE BSPLINE 5 2 E2 [KV 0 0 1 2 3 4 4]"           \
+    "[0 0][1 0][1 1][0 1][0 0]]]][TRIMCRV [TRIMCRVSEG [CURVE BSPLINE 5 2 E2"  \
+    "[KV 0 0 1 2 3 4 4][.3 .3][.7 .3][.7 .8][.3 .8][.3 .3]]]]]]"
+
+/* A plate of 16 with a hole of 1.6 by 2: nothing is inside the hole, triangles
+ * cover the rest, the lines of both loops are there. */
+static void trimmed(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_obj *o = read_text(ctx, PLATE);
+    const ix_scene_opts opts = {.mesh = true};
+    ix_mark mk = ix__scratch_mark(ctx);
+    double area = 0;
+    int loops = 0;
+    ix_scene s;
+
+    (void)state;
+    ASSERT_OK(ctx, ix__scene_build(ctx, o, &opts, &s));
+    for (size_t i = 0; i < s.npaths; i++) {
+        const ix_path *p = &s.path[i];
+
+        loops += p->kind == IX_PATH_LINE;
+        for (size_t k = 0; k + 1 < p->n; k++) {
+            const double *a = s.pts[p->first + k], *b = a + 3;
+            double x = (a[0] + b[0]) / 2, y = (a[1] + b[1]) / 2;
+
+            assert_false(x > 1.2001 && x < 2.7999 && y > 1.2001 && y < 3.1999);
+        }
+    }
+    for (size_t i = 0; i < s.ntris; i++) {
+        const double *a = s.pts[s.tri[i].v[0]], *b = s.pts[s.tri[i].v[1]];
+        const double *c = s.pts[s.tri[i].v[2]];
+
+        area += ((b[0] - a[0]) * (c[1] - a[1]) -
+                 (b[1] - a[1]) * (c[0] - a[0])) /
+                2;
+    }
+    assert_int_equal(loops, 2);
+    ASSERT_CLOSE(area, 16 - 1.6 * 2, 1e-7);
+    ix__scratch_release(ctx, mk);
+    ix__obj_unref(ctx, o);
+    ix_ctx_free(ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arc), cmocka_unit_test(pole), cmocka_unit_test(hidden),
-        cmocka_unit_test(views), cmocka_unit_test(out_of_memory)};
+        cmocka_unit_test(arc),     cmocka_unit_test(pole),
+        cmocka_unit_test(hidden),  cmocka_unit_test(views),
+        cmocka_unit_test(trimmed), cmocka_unit_test(out_of_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
