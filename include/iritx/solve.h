@@ -77,7 +77,8 @@ typedef struct {
 
 typedef struct {
     double cell;      /* boxes smaller than this part of the domain that stay
-                         undecided are reported; 0: 1e-7 */
+                         undecided are reported; 0: 1e-10. Multiple
+                         solutions end far above, where rounding hides them */
     size_t max_boxes; /* stop after so many boxes; 0: 10 million */
     bool keep;        /* when interrupted, return IX_OK with what is proven so
                          far, as with max_boxes, instead of IX_ECANCEL */

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define UNIT  (DBL_EPSILON / 2)
+#define HALF  0x1p-26
 #define CROWD 64 /* undecided boxes before the smallest size doubles */
 #define CROWDED \
     8 /* doublings that tell a curve from many isolated, multiple roots */
@@ -36,21 +37,65 @@ bool ix__box_signs_allow(const ix__task *t, ix__box *b)
     return true;
 }
 
-/* A de Casteljau pass of dims - 1 layers commits at most 3 roundings relative
- * to the largest coefficient in each; up to two passes cut both ends. */
+/* A de Casteljau pass of dims - 1 layers commits at most 3 roundings in each,
+ * relative to the sums of the sizes of what it combines. */
 void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e)
 {
     double w = b->hi[j] - b->lo[j], lo = b->lo[j];
     int passes = (a > 0) + (e < 1);
 
     for (int i = 0; i < t->nall; i++) {
+        double *c = b->c + (size_t)i * t->shape.size;
+
+        b->mag[i] = ix__tensor_restrict_size(&t->shape, c, j, a, e);
         b->err[i] += 3 * passes * (t->shape.dims[j] - 1) * UNIT * b->mag[i];
-        ix__tensor_restrict(&t->shape, b->c + (size_t)i * t->shape.size, j, a,
-                            e);
+        ix__tensor_restrict(&t->shape, c, j, a, e);
     }
     b->hi[j] = e < 1 ? lo + e * w : b->hi[j];
     b->lo[j] = a > 0 ? lo + a * w : lo;
     b->cuts++;
+}
+
+double ix__box_drift(const ix__task *t, const ix__box *b, int j)
+{
+    double x = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
+
+    return UNIT * ((b->cuts + 4) * x + 12 * t->edge[j]);
+}
+
+/* Whether a refresh is worth while: errors above HALF of the digits, several
+ * cuts in each direction since the last, ends known to a part of the edges. */
+static bool stale(const ix__task *t, const ix__box *b)
+{
+    bool noisy = false;
+
+    if (b->cuts - b->fresh < 2 * t->shape.n)
+        return false;
+    for (int i = 0; i < t->nall; i++)
+        noisy |= b->err[i] > HALF * b->mag[i];
+    for (int j = 0; noisy && j < t->shape.n; j++)
+        noisy = ix__box_drift(t, b, j) < 1e-4 * (b->hi[j] - b->lo[j]);
+    return noisy;
+}
+
+void ix__box_refresh(const ix__task *t, const ix__box *patch, ix__box *b)
+{
+    ix__box old = *b;
+
+    if (!stale(t, b))
+        return;
+    *b = *patch;
+    b->c = old.c;
+    memcpy(b->c, patch->c, (size_t)t->nall * t->shape.size * sizeof *b->c);
+    for (int j = 0; j < t->shape.n; j++) {
+        double w = patch->hi[j] - patch->lo[j];
+        double drift = 2 * ix__box_drift(t, &old, j);
+        double a = (old.lo[j] - drift - patch->lo[j]) / w;
+        double e = (old.hi[j] + drift - patch->lo[j]) / w;
+
+        ix__box_cut(t, b, j, fmax(a, 0), fmin(e, 1));
+    }
+    b->fresh = b->cuts;
 }
 
 double ix__box_part(const ix__task *t, const ix__box *b, int j)
@@ -72,13 +117,6 @@ int ix__box_longest(const ix__task *t, const ix__box *b, double *len)
         }
     }
     return best;
-}
-
-double ix__box_drift(const ix__task *t, const ix__box *b, int j)
-{
-    double x = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
-
-    return UNIT * ((b->cuts + 4) * x + 12 * t->edge[j]);
 }
 
 ix_status ix__open_box(ix__task *t, const ix__box *b, ix__found *f)

@@ -14,7 +14,8 @@ typedef struct {
     double err[IX__MAX_EQS]; /* bounds the error of every coefficient */
     double mag[IX__MAX_EQS]; /* bounds every |coefficient| */
     double lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS];
-    int cuts; /* how often an end was moved, which commits roundings */
+    int cuts;  /* how often an end was moved, which commits roundings */
+    int fresh; /* cuts at the last ix__box_refresh */
 } ix__box;
 
 /* Solutions found so far, in a growing scratch array. */
@@ -55,6 +56,10 @@ void ix__box_measure(const ix__task *t, ix__box *b);
 bool ix__box_signs_allow(const ix__task *t, ix__box *b);
 /* The part [a, e] of [0, 1] in direction j. */
 void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e);
+/* Where rounding has eaten up half of the digits, takes the box from the patch
+ * at once, which commits the roundings of one cut only, and makes it larger by
+ * the uncertainty of its ends. */
+void ix__box_refresh(const ix__task *t, const ix__box *patch, ix__box *b);
 /* The direction of the longest edge as a part of the domain's, *len. */
 int ix__box_longest(const ix__task *t, const ix__box *b, double *len);
 double ix__box_part(const ix__task *t, const ix__box *b, int j);

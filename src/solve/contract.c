@@ -11,9 +11,9 @@
 
 #define UNIT (DBL_EPSILON / 2)
 
-/* Range of row i of I - m J, added up in size over the columns. */
+/* Bounds of one row of I - m J; their sum. */
 static double row_bound(int n, const double *w, ix__mat low, ix__mat high,
-                        ix__mat slack, int i)
+                        ix__mat slack, int i, double *d)
 {
     double row = 0;
 
@@ -23,18 +23,19 @@ static double row_bound(int n, const double *w, ix__mat low, ix__mat high,
         for (int k = 0; k < n; k++) {
             double p = w[k] * low[k][j], q = w[k] * high[k][j];
 
-            a -= fmax(p, q);
-            c -= fmin(p, q);
+            a -= p > q ? p : q;
+            c -= p > q ? q : p;
             err += fabs(w[k]) * slack[k][j];
         }
-        row += fmax(fabs(a), fabs(c)) + err;
+        d[j] = (fmax(fabs(a), fabs(c)) + err) * (1 + 4 * UNIT);
+        row += d[j];
     }
     return row;
 }
 
 double ix__contraction(const ix__shape *s, int n, const int *dir,
                        const double *f, const double *err, const double *mag,
-                       ix__mat m)
+                       ix__mat m, ix__mat d)
 {
     ix__mat low, high, slack;
     double worst = 0;
@@ -47,6 +48,6 @@ double ix__contraction(const ix__shape *s, int n, const int *dir,
                           (n + 3) * UNIT * fmax(-low[k][j], high[k][j]);
         }
     for (int i = 0; i < n; i++)
-        worst = fmax(worst, row_bound(n, m[i], low, high, slack, i));
-    return worst * (1 + 4 * IX_MAX_UNKNOWNS * UNIT);
+        worst = fmax(worst, row_bound(n, m[i], low, high, slack, i, d[i]));
+    return worst * (1 + IX_MAX_UNKNOWNS * UNIT);
 }

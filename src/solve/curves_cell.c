@@ -89,11 +89,12 @@ ix_status ix__curves_add_arc(ix__curves *s, int first)
 static double contraction(const ix__curves *s, const graph *g, ix__mat m)
 {
     int dir[IX_MAX_UNKNOWNS];
+    ix__mat d;
 
     for (int j = 0; j < s->n - 1; j++)
         dir[j] = other(j, g->k);
     return ix__contraction(&s->t.shape, s->n - 1, dir, g->b->c, g->b->err,
-                           g->b->mag, m);
+                           g->b->mag, m, d);
 }
 
 /* Looks for a coordinate that is a parameter, the best conditioned first. */
@@ -294,7 +295,7 @@ static ix_status face_points(search *q, const ix__box *b, int j, bool high,
                             .nall = s->n - 1,
                             .cell = 1e-6,
                             .max_boxes = 2000}};
-    ix__box f = {.c = q->face};
+    ix__box f = {.c = q->face, .cuts = 0};
     ix_status st = IX_OK;
 
     face_shape(s, j, &sys.t.shape);

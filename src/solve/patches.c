@@ -182,7 +182,7 @@ void ix__patches_take(const ix__patches *p, const ix__shape *h, int nall,
     const ix__shape *w = &p->whole;
     size_t from = 0;
 
-    b->cuts = 0;
+    b->cuts = b->fresh = 0;
     for (int j = 0; j < h->n; j++) {
         from += (size_t)(idx[j] * h->dims[j]) * w->stride[j];
         b->lo[j] = p->sp[j].breaks[idx[j]];

@@ -62,7 +62,7 @@ static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
 
     *s = (ix__system){.n = eq[0].f->ndirs};
     *t = (ix__task){.ctx = ctx, .nall = neq, .keep = o && o->keep};
-    t->cell = o && o->cell > 0 ? o->cell : 1e-7;
+    t->cell = o && o->cell > 0 ? o->cell : 1e-10;
     t->max_boxes = o && o->max_boxes ? o->max_boxes : 10000000;
     for (int i = 0; i < neq; i++)
         t->neq += eq[i].rel == IX_EQUAL_ZERO;

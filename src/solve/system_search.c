@@ -21,6 +21,7 @@
 
 typedef struct ix__search {
     ix__system *sys;
+    const ix__box *patch;
     ix__found *found;
     ix__stack stack;
     ix__combined g[IX_MAX_UNKNOWNS]; /* the preconditioned equations */
@@ -123,35 +124,32 @@ static bool reduce(search *q, ix__box *b, int ng, const ix__combined *g,
 }
 
 static double contraction(const search *q, const double *f, const double *err,
-                          const double *mag, ix__mat m)
+                          const double *mag, ix__mat m, ix__mat d)
 {
     static const int dir[IX_MAX_UNKNOWNS] = {0, 1, 2, 3, 4, 5};
 
-    return ix__contraction(&q->sys->t.shape, q->sys->n, dir, f, err, mag, m);
+    return ix__contraction(&q->sys->t.shape, q->sys->n, dir, f, err, mag, m, d);
 }
 
-/* step = m f(x); returns the bound of its error by the errors of the values
- * (ferr, evaluation included) and the roundings of the n products. */
-static double newton_step(search *q, const double *f, const double *ferr,
-                          ix__mat m, const double *x, double *step)
+/* step = m f(x), err the bounds of its errors by those of the values (ferr,
+ * evaluation included) and the roundings of the n products. */
+static void newton_step(search *q, const double *f, const double *ferr,
+                        ix__mat m, const double *x, double *step, double *err)
 {
     const ix__system *s = q->sys;
-    double v[IX_MAX_UNKNOWNS], err = 0;
+    double v[IX_MAX_UNKNOWNS];
 
     for (int k = 0; k < s->n; k++)
         v[k] = ix__tensor_value(&s->t.shape, f + (size_t)k * s->t.shape.size, x,
                                 q->work);
     for (int i = 0; i < s->n; i++) {
-        double e = 0;
-
-        step[i] = 0;
+        step[i] = err[i] = 0;
         for (int k = 0; k < s->n; k++) {
             step[i] += m[i][k] * v[k];
-            e += fabs(m[i][k]) * (ferr[k] + (s->n + 1) * UNIT * fabs(v[k]));
+            err[i] += fabs(m[i][k]) *
+                      (ferr[k] + (s->n + 1) * UNIT * fabs(v[k]));
         }
-        err = fmax(err, e);
     }
-    return err;
 }
 
 static double largest_abs(const double *v, int n)
@@ -174,12 +172,12 @@ static void jacobian_at(search *q, const double *f, const double *x,
 }
 
 /* Newton's method; where the Jacobian is singular, or to begin with, m stands
- * for its inverse (which contracts for sure, but slowly). Returns the bound of
+ * for its inverse (which contracts for sure, but slowly). rest[n] bounds
  * |m f(x)| at the end, rounding included. */
-static double newton(search *q, const double *f, const double *ferr, ix__mat m,
-                     double *x)
+static void newton(search *q, const double *f, const double *ferr, ix__mat m,
+                   double *x, double *rest)
 {
-    double d[IX_MAX_UNKNOWNS], last = HUGE_VAL, err;
+    double d[IX_MAX_UNKNOWNS], e[IX_MAX_UNKNOWNS], last = HUGE_VAL;
     int n = q->sys->n;
     ix__mat jac, inv;
 
@@ -192,18 +190,19 @@ static double newton(search *q, const double *f, const double *ferr, ix__mat m,
             if (!ix__small_invert(n, jac, inv))
                 memcpy(inv, m, sizeof inv);
         }
-        (void)newton_step(q, f, ferr, inv, x, d);
+        newton_step(q, f, ferr, inv, x, d, e);
         size = largest_abs(d, n);
         if (!(size < 4) || (last < 1e-7 && !(size < 0.5 * last)))
             break;
         for (int i = 0; i < n; i++)
             x[i] -= d[i];
         last = size;
-        if (size == 0)
+        if (size <= UNIT) /* of the box: x cannot be better than that */
             break;
     }
-    err = newton_step(q, f, ferr, m, x, d);
-    return largest_abs(d, n) + err;
+    newton_step(q, f, ferr, m, x, d, e);
+    for (int i = 0; i < n; i++)
+        rest[i] = fabs(d[i]) + e[i];
 }
 
 #define MARGIN 0.125 /* by which a box is inflated on each side */
@@ -239,17 +238,17 @@ typedef enum { UNDECIDED, NONE, ONE } verdict;
 /* Whether the remaining relations hold at x, known to within radius (or cannot
  * be excluded). 1e-12 of its size is what an equation counts as met with. */
 static bool checks_hold(search *q, const ix__box *b, const double *x,
-                        double radius)
+                        const double *radius)
 {
     const ix__system *s = q->sys;
 
     for (int i = s->n; i < s->t.nall; i++) {
         double v = ix__tensor_value(&s->t.shape, tensor(s, b, i), x, q->work);
-        double band = b->err[i] + 1e-12, slope = 0;
+        double band = b->err[i] + 1e-12;
 
         for (int j = 0; j < s->n; j++)
-            slope += 2 * (s->t.shape.dims[j] - 1);
-        band += (slope * radius + 2 * slope * UNIT) * b->mag[i];
+            band += 2 * (s->t.shape.dims[j] - 1) * (radius[j] + 2 * UNIT) *
+                    b->mag[i];
         if (v < -band || (i < s->t.neq && v > band))
             return false;
     }
@@ -257,14 +256,14 @@ static bool checks_hold(search *q, const ix__box *b, const double *x,
 }
 
 static ix_status report_root(search *q, const ix__box *b, const double *x,
-                             double radius)
+                             const double *radius)
 {
     const ix__system *s = q->sys;
     ix_solution r = {.certified = true};
 
     for (int j = 0; j < s->n; j++) {
         double w = b->hi[j] - b->lo[j];
-        double pad = radius * w + ix__box_drift(&s->t, b, j);
+        double pad = radius[j] * w + ix__box_drift(&s->t, b, j);
 
         r.x[j] = b->lo[j] + x[j] * w;
         r.lo[j] = r.x[j] - pad;
@@ -277,11 +276,12 @@ static ix_status report_root(search *q, const ix__box *b, const double *x,
  * the rounding of the box's ends: a solution on a face belongs to both sides.
  */
 static bool in_box(const ix__system *s, const ix__box *b, double *y,
-                   double radius)
+                   const double *radius)
 {
     for (int j = 0; j < s->n; j++) {
         double ends = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
-        double slack = radius + 4 * UNIT * (1 + ends / (b->hi[j] - b->lo[j]));
+        double slack = radius[j] +
+                       4 * UNIT * (1 + ends / (b->hi[j] - b->lo[j]));
 
         if (!(y[j] >= -slack && y[j] <= 1 + slack))
             return false;
@@ -290,38 +290,123 @@ static bool in_box(const ix__system *s, const ix__box *b, double *y,
     return true;
 }
 
-/* Krawczyk's test on the inflated box with preconditioner m (for its own
- * coordinates) and contraction factor lip < 1: it holds at most one solution.
- * With x -> x - m f(x) mapping the box into a ball of radius lip / 2 around
- * c - m f(c), a first step beyond (1 + lip) / 2 proves that there is none. */
-static ix_status find_the_one(search *q, const ix__box *b, const double *ferr,
-                              ix__mat m, double lip, verdict *v)
+/* The error of each coordinate is at most rest + d error, d[n][n] bounding
+ * |I - m J|; it begins with the ball that all have in common. */
+static void enclose(int n, const double *rest, ix__mat d, double ball,
+                    double *radius)
+{
+    for (int i = 0; i < n; i++)
+        radius[i] = ball;
+    for (int round = 0; round < 3; round++)
+        for (int i = 0; i < n; i++) {
+            double e = rest[i];
+
+            for (int j = 0; j < n; j++)
+                e += d[i][j] * radius[j];
+            radius[i] = fmin(radius[i], e * (1 + 2 * IX_MAX_UNKNOWNS * UNIT));
+        }
+}
+
+/* rest (of the inflated box's coordinates) from the box itself, whose
+ * coefficients have not been extrapolated: outside by o, a value's error grows
+ * by (1 + 2 o) for each degree. */
+static void improve_rest(search *q, const ix__box *b, ix__mat m,
+                         const double *x, double *rest)
 {
     const ix__system *s = q->sys;
-    double x[IX_MAX_UNKNOWNS], step[IX_MAX_UNKNOWNS], rest, size;
+    double y[IX_MAX_UNKNOWNS], d[IX_MAX_UNKNOWNS], e[IX_MAX_UNKNOWNS];
+    double ferr[IX_MAX_UNKNOWNS], layers = 0, grow = 1;
 
+    for (int j = 0; j < s->n; j++) {
+        y[j] = x[j] * (1 + 2 * MARGIN) - MARGIN;
+        for (int k = 1; k < s->t.shape.dims[j]; k++)
+            grow *= 1 + 2 * fmax(0, fmax(-y[j], y[j] - 1));
+        layers += 3 * (s->t.shape.dims[j] - 1);
+    }
+    for (int k = 0; k < s->n; k++) /* y is rounded: a slope times 2 u */
+        ferr[k] = (b->err[k] + 3 * layers * UNIT * b->mag[k]) * grow;
+    newton_step(q, b->c, ferr, m, y, d, e);
     for (int i = 0; i < s->n; i++)
+        rest[i] = fmin(rest[i], fabs(d[i]) + e[i]);
+}
+
+#define SLACK 0.3     /* contraction above which enclosures are sharpened */
+#define NEAR  0x1p-20 /* half an edge of the box that sharpen looks at */
+
+/* radius from the inverse of the Jacobian at x, which is better there than m,
+ * and the derivatives close to x. Uses up the tensors of the inflated box. */
+static void sharpen(search *q, const ix__box *b, double *ferr, double *mag,
+                    const double *x, double ball, double *radius)
+{
+    const ix__system *s = q->sys;
+    double rest[IX_MAX_UNKNOWNS], better[IX_MAX_UNKNOWNS], layers = 0;
+    ix__mat jac, m, d;
+
+    jacobian_at(q, q->copy, x, jac);
+    if (!(ball < NEAR) || !ix__small_invert(s->n, jac, m))
+        return;
+    for (int i = 0; i < s->n; i++)
+        rest[i] = HUGE_VAL;
+    improve_rest(q, b, m, x, rest);
+    for (int j = 0; j < s->n; j++) {
+        layers += 2 * 3 * (s->t.shape.dims[j] - 1);
+        for (int k = 0; k < s->n; k++)
+            ix__tensor_restrict(&s->t.shape,
+                                q->copy + (size_t)k * s->t.shape.size, j,
+                                x[j] - NEAR, x[j] + NEAR);
+    }
+    for (int k = 0; k < s->n; k++) {
+        ferr[k] += layers * UNIT * mag[k];
+        for (int i = 0; i < s->n; i++)
+            m[i][k] /= 2 * NEAR;
+    }
+    (void)contraction(q, q->copy, ferr, mag, m, d);
+    enclose(s->n, rest, d, ball, better);
+    for (int i = 0; i < s->n; i++)
+        radius[i] = fmin(radius[i], better[i]);
+}
+
+/* Krawczyk's test on the inflated box with preconditioner m (for its own
+ * coordinates), bounds d and contraction factor lip < 1: it holds at most one
+ * solution. With x -> x - m f(x) mapping the box into a ball of radius lip / 2
+ * around c - m f(c), a first step beyond (1 + lip) / 2 proves that there is
+ * none. */
+static ix_status find_the_one(search *q, const ix__box *b, double *ferr,
+                              double *mag, ix__mat m, ix__mat d, double lip,
+                              verdict *v)
+{
+    const ix__system *s = q->sys;
+    double x[IX_MAX_UNKNOWNS], step[IX_MAX_UNKNOWNS], e[IX_MAX_UNKNOWNS];
+    double radius[IX_MAX_UNKNOWNS], ball;
+    int n = s->n;
+
+    for (int i = 0; i < n; i++)
         x[i] = 0.5;
-    rest = newton_step(q, q->copy, ferr, m, x, step);
-    size = largest_abs(step, s->n);
-    if (size > 0.5 * (1 + lip) + rest) {
+    newton_step(q, q->copy, ferr, m, x, step, e);
+    if (largest_abs(step, n) > 0.5 * (1 + lip) + largest_abs(e, n)) {
         *v = NONE;
         return IX_OK;
     }
-    rest = newton(q, q->copy, ferr, m, x) / (1 - lip);
-    if (!(rest < MARGIN / 4)) /* could not be told from a neighbour's */
+    newton(q, q->copy, ferr, m, x, e);
+    improve_rest(q, b, m, x, e);
+    ball = largest_abs(e, n) / (1 - lip);
+    if (!(ball < MARGIN / 4)) /* could not be told from a neighbour's */
         return IX_OK;
-    for (int i = 0; i < s->n; i++) {
-        if (!(x[i] - rest > 0 && x[i] + rest < 1))
+    for (int i = 0; i < n; i++)
+        if (!(x[i] - ball > 0 && x[i] + ball < 1))
             return IX_OK;
+    enclose(n, e, d, ball, radius);
+    if (lip > SLACK)
+        sharpen(q, b, ferr, mag, x, ball, radius);
+    for (int i = 0; i < n; i++) {
         x[i] = x[i] * (1 + 2 * MARGIN) - MARGIN;
+        radius[i] = radius[i] * (1 + 2 * MARGIN) + 2 * UNIT;
     }
     *v = NONE;
-    rest *= 1 + 2 * MARGIN;
-    if (!in_box(s, b, x, rest) || !checks_hold(q, b, x, rest))
+    if (!in_box(s, b, x, radius) || !checks_hold(q, b, x, radius))
         return IX_OK;
     *v = ONE;
-    return report_root(q, b, x, rest);
+    return report_root(q, b, x, radius);
 }
 
 /* One solution at most in the inflated box? Then find it. inv: the inverse of
@@ -330,17 +415,17 @@ static ix_status unique(search *q, const ix__box *b, ix__mat inv, verdict *v)
 {
     const ix__system *s = q->sys;
     double ferr[IX_MAX_UNKNOWNS], mag[IX_MAX_UNKNOWNS], lip;
-    ix__mat m;
+    ix__mat m, d;
 
-    if (!(contraction(q, b->c, b->err, b->mag, inv) < 0.9))
+    if (!(contraction(q, b->c, b->err, b->mag, inv, d) < 0.9))
         return IX_OK;
     memcpy(m, inv, sizeof m);
     inflate(q, b, ferr, mag);
     for (int i = 0; i < s->n; i++)
         for (int k = 0; k < s->n; k++)
             m[i][k] /= 1 + 2 * MARGIN; /* for the inflated box's coordinates */
-    lip = contraction(q, q->copy, ferr, mag, m);
-    return lip < 0.9 ? find_the_one(q, b, ferr, m, lip, v) : IX_OK;
+    lip = contraction(q, q->copy, ferr, mag, m, d);
+    return lip < 0.9 ? find_the_one(q, b, ferr, mag, m, d, lip, v) : IX_OK;
 }
 
 /* Whether a combination of the equations is, on all of the box, as small as
@@ -419,6 +504,7 @@ static ix_status shrink_round(search *q, ix__box *b, outcome *out)
 
     *out = GONE;
     s->t.boxes++;
+    ix__box_refresh(&s->t, q->patch, b);
     if (!ix__box_signs_allow(&s->t, b))
         return IX_OK;
     mean_jacobian(s, b, jac);
@@ -496,6 +582,7 @@ ix_status ix__system_search(ix__system *sys, const ix__box *b, ix__found *found)
         IX_TRY(make_search(sys));
     q = sys->search;
     q->found = found;
+    q->patch = b;
     ix__stack_start(&sys->t, &q->stack, b);
     return ix__stack_run(&sys->t, &q->stack, examine, q, found);
 }

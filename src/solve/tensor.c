@@ -1,6 +1,7 @@
 /* tensor.c - Bernstein tensors on a box. */
 #include "solve/tensor.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -55,6 +56,35 @@ void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
         ix__tensor_cut(s, c, j, b, false);
     if (a < 0 || a > 0)
         ix__tensor_cut(s, c, j, a / b, true);
+}
+
+#define MAX_LAYERS 64
+
+/* The layers along j are bounded by numbers, which go through the same passes
+ * as the layers do: each coefficient of a part is a convex combination of
+ * coefficients, with the same weights in every line. */
+double ix__tensor_restrict_size(const ix__shape *s, const double *c, int j,
+                                double a, double b)
+{
+    const ix__shape line = {.n = 1,
+                            .dims = {s->dims[j]},
+                            .stride = {1},
+                            .size = (size_t)s->dims[j]};
+    size_t inner = s->stride[j], m = line.size;
+    double w[MAX_LAYERS] = {0}, lo, hi;
+
+    if (m > MAX_LAYERS) {
+        ix__tensor_range(s, c, &lo, &hi);
+        return fmax(-lo, hi);
+    }
+    for (const double *p = c; p < c + s->size; p += inner * m)
+        for (size_t k = 0; k < m; k++)
+            for (size_t i = 0; i < inner; i++)
+                w[k] = fabs(p[k * inner + i]) > w[k] ? fabs(p[k * inner + i])
+                                                     : w[k];
+    ix__tensor_restrict(&line, w, 0, a, b);
+    ix__tensor_range(&line, w, &lo, &hi);
+    return hi * (1 + 8 * MAX_LAYERS * DBL_EPSILON);
 }
 
 /* Contracts the last direction of size dims[n-1] at x by de Casteljau. */
@@ -212,8 +242,6 @@ static bool hull_cut(const double *v, int m, double sign, double *a, double *b)
     *b = fmin(*b, hi + 0x1p-50);
     return *a <= *b;
 }
-
-#define MAX_LAYERS 64
 
 bool ix__tensor_clip(const ix__shape *s, const double *c, double err, int j,
                      double *a, double *b)

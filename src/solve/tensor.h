@@ -22,6 +22,11 @@ void ix__tensor_cut(const ix__shape *s, double *c, int j, double a, bool low);
 /* The part over [a, b], which may reach beyond [0, 1], in place. */
 void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
                          double b);
+/* A bound of what restricting |c| to [a, b] within [0, 1] gives, at least as
+ * large as the restricted c: times 3 (dims - 1) roundings for each of its two
+ * passes it bounds the error that ix__tensor_restrict commits. */
+double ix__tensor_restrict_size(const ix__shape *s, const double *c, int j,
+                                double a, double b);
 /* Value and gradient at x (in [0,1]^n or near); work has 2 size doubles. */
 double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
                         double *work);

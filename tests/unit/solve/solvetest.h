@@ -222,6 +222,21 @@ static double st_value(const char *text, const double *x)
     return st_vsum(&text, x);
 }
 
+/* The size of the text at the corners of the box, where it is largest. */
+static inline double st_size(const char *text, double (*box)[2], int n)
+{
+    double size = 1;
+
+    for (int k = 0; k < 1 << n; k++) {
+        double x[6];
+
+        for (int j = 0; j < n; j++)
+            x[j] = box[j][k >> j & 1];
+        size = fmax(size, fabs(st_value(text, x)));
+    }
+    return size;
+}
+
 /* --- Newton from many starts: the independent truth ------------------------
  */
 

@@ -45,21 +45,6 @@ static void vertex(double (*box)[2], int n, const double *t, double *x)
         x[j] = box[j][0] + t[j] * (box[j][1] - box[j][0]);
 }
 
-/* The size of the text at the corners of the box, where it is largest. */
-static double size_of(const char *text, double (*box)[2], int n)
-{
-    double size = 1;
-
-    for (int k = 0; k < 1 << n; k++) {
-        double x[6];
-
-        for (int j = 0; j < n; j++)
-            x[j] = box[j][k >> j & 1];
-        size = fmax(size, fabs(st_value(text, x)));
-    }
-    return size;
-}
-
 /* Law: vertices annul the text; loops close; ends are what they are said to
  * be. */
 static void check_curves(const char *name, int n, int neq,
@@ -76,7 +61,7 @@ static void check_curves(const char *name, int n, int neq,
             vertex(box, n, c->x + k * n, x);
             for (int e = 0; e < neq; e++) /* 50 roundings of the largest */
                 if (!(fabs(st_value(text[e], x)) <=
-                      1e-14 * size_of(text[e], box, n)))
+                      1e-14 * st_size(text[e], box, n)))
                     fail_msg("%s: curve %d vertex %d: %g", name, i, k,
                              st_value(text[e], x));
         }

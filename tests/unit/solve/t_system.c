@@ -2,135 +2,11 @@
  * nothing doubled, certified where regular. */
 #include "harness/fault.h"
 #include "harness/randmv.h"
-#include "solvetest.h"
+#include "systest.h"
 
 IX_TEST_FIXTURE(20260711)
 
 static long verified; /* roots, over the whole file */
-
-typedef struct {
-    const char *name;
-    int n, neq;
-    const char *eq[6];
-    double lo, hi; /* of every variable */
-    int certified, open;
-} sys_case;
-
-static void to_box(double (*box)[2], int n, const double *t, double *x)
-{
-    for (int j = 0; j < n; j++)
-        x[j] = box[j][0] + t[j] * (box[j][1] - box[j][0]);
-}
-
-static ix_solutions solve_text(int n, int neq, const char *const *text,
-                               double (*box)[2], const ix_relation *rel,
-                               const ix_solve_opts *o)
-{
-    ix_equation eq[6] = {{NULL, 0, IX_EQUAL_ZERO}};
-    ix_mv *m[6];
-    ix_solutions s;
-
-    for (int i = 0; i < neq; i++) {
-        m[i] = st_mv(ctx, text[i], n, box);
-        eq[i] = (ix_equation){m[i], 0, rel ? rel[i] : IX_EQUAL_ZERO};
-    }
-    ASSERT_OK(ctx, ix_solve(ctx, neq, eq, o, &s));
-    for (int i = 0; i < neq; i++)
-        ix_mv_unref(ctx, m[i]);
-    return s;
-}
-
-static void fill(double (*box)[2], double lo, double hi)
-{
-    for (int j = 0; j < 6; j++) {
-        box[j][0] = lo;
-        box[j][1] = hi;
-    }
-}
-
-static int count_certified(const ix_solutions *s)
-{
-    int n = 0;
-
-    for (int i = 0; i < s->n; i++)
-        n += s->sol[i].certified;
-    return n;
-}
-
-/* Law: every certified solution annuls the text itself; no two share a box. */
-static void check_roots(const char *name, int n, int neq,
-                        const char *const *text, double (*box)[2],
-                        const ix_solutions *s)
-{
-    for (int i = 0; i < s->n; i++) {
-        double x[6];
-
-        to_box(box, n, s->sol[i].x, x);
-        for (int k = 0; k < neq && s->sol[i].certified; k++)
-            /* 1e-12 of the size of the largest case's terms, 1e2 */
-            if (!(fabs(st_value(text[k], x)) <= 1e-10))
-                fail_msg("%s: solution %d: equation %d is %g", name, i, k,
-                         st_value(text[k], x));
-        for (int k = 0; k < i; k++) {
-            int apart = 0;
-
-            for (int j = 0; j < n; j++)
-                apart |= s->sol[i].lo[j] > s->sol[k].hi[j] ||
-                         s->sol[k].lo[j] > s->sol[i].hi[j];
-            if (!apart)
-                fail_msg("%s: solutions %d and %d overlap", name, k, i);
-        }
-        verified += s->sol[i].certified;
-    }
-}
-
-/* Law: every root that Newton finds from anywhere is among the solutions. */
-static void check_complete(const char *name, int n, const char *const *text,
-                           double (*box)[2], const ix_solutions *s, int starts)
-{
-    for (int k = 0; k < starts; k++) {
-        double x[6];
-        int hit = 0;
-
-        for (int j = 0; j < n; j++)
-            x[j] = ix_rng_range(&rng, box[j][0], box[j][1]);
-        if (!st_newton(n, text, box, x))
-            continue;
-        for (int i = 0; i < s->n && !hit; i++) {
-            hit = 1;
-            for (int j = 0; j < n; j++) {
-                double len = box[j][1] - box[j][0];
-                double t = (x[j] - box[j][0]) / len;
-
-                hit &= t >= s->sol[i].lo[j] - 1e-6 &&
-                       t <= s->sol[i].hi[j] + 1e-6;
-            }
-        }
-        if (!hit)
-            fail_msg("%s: lost (%.17g, %.17g, ...)", name, x[0], x[1]);
-    }
-}
-
-static void run_case(const sys_case *c, int starts)
-{
-    double box[6][2];
-    ix_solutions s;
-
-    fill(box, c->lo, c->hi);
-    s = solve_text(c->n, c->neq, c->eq, box, NULL, NULL);
-    print_message("# %s: %zu boxes, %d certified, %d open\n", c->name, s.boxes,
-                  count_certified(&s), s.n - count_certified(&s));
-    check_roots(c->name, c->n, c->neq, c->eq, box, &s);
-    if (c->n == c->neq)
-        check_complete(c->name, c->n, c->eq, box, &s, starts);
-    if (count_certified(&s) != c->certified ||
-        s.n - count_certified(&s) != c->open)
-        fail_msg("%s: %d certified and %d open, expected %d and %d", c->name,
-                 count_certified(&s), s.n - count_certified(&s), c->certified,
-                 c->open);
-    assert_true(s.complete);
-    ix_solutions_free(ctx, &s);
-}
 
 /* The positions of two conics with real points in common, by multiplicity;
  * boxes with odd ends, so that no root lies on a split. */
@@ -169,7 +45,7 @@ static void two_conics(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        run_case(&cases[i], 200);
+        verified += run_case(ctx, &rng, &cases[i], 200);
 }
 
 static void classics(void **state)
@@ -247,7 +123,7 @@ static void classics(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        run_case(&cases[i], 100);
+        verified += run_case(ctx, &rng, &cases[i], 100);
 }
 
 /* Roots at the corners, on the edges and in the middle of the domain. */
@@ -261,7 +137,7 @@ static void on_the_boundary(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        run_case(&cases[i], 100);
+        verified += run_case(ctx, &rng, &cases[i], 100);
 }
 
 static void inequalities(void **state)
@@ -277,7 +153,7 @@ static void inequalities(void **state)
         double x[2];
 
         rel[2] = k ? IX_AT_MOST_ZERO : IX_AT_LEAST_ZERO;
-        s = solve_text(2, 3, text, box, rel, NULL);
+        s = solve_text(ctx, 2, 3, text, box, rel, NULL);
         assert_int_equal(s.n, 1);
         to_box(box, 2, s.sol[0].x, x);
         ASSERT_CLOSE(x[0], (k ? -1 : 1) * sqrt(0.5), 1e-14);
@@ -300,7 +176,7 @@ static void scales(void **state)
         ix_solutions s;
 
         snprintf(a, sizeof a, "%s*(x^2 + y^2 - 1)", sizes[k]);
-        s = solve_text(2, 2, text, box, NULL, NULL);
+        s = solve_text(ctx, 2, 2, text, box, NULL, NULL);
         assert_int_equal(s.n, 4);
         for (int i = 0; i < 4; i++) {
             assert_true(s.sol[i].certified);
@@ -325,7 +201,7 @@ static void knots_through_roots(void **state)
 
     (void)state;
     fill(box, -1.2, 1.3);
-    plain = solve_text(2, 2, text, box, NULL, NULL);
+    plain = solve_text(ctx, 2, 2, text, box, NULL, NULL);
     for (int i = 0; i < 2; i++) {
         m[i] = st_mv(ctx, text[i], 2, box);
         for (int j = 0; j < 2; j++) {
@@ -474,10 +350,10 @@ static void budget(void **state)
 
     (void)state;
     fill(box, -1.2, 1.3);
-    all = solve_text(2, 2, text, box, NULL, NULL);
+    all = solve_text(ctx, 2, 2, text, box, NULL, NULL);
     for (size_t budget = 1; budget < all.boxes; budget += 3) {
         const ix_solve_opts o = {.max_boxes = budget};
-        ix_solutions s = solve_text(2, 2, text, box, NULL, &o);
+        ix_solutions s = solve_text(ctx, 2, 2, text, box, NULL, &o);
 
         assert_false(s.complete);
         for (int i = 0; i < all.n; i++) {
@@ -602,7 +478,7 @@ static void common_factor(void **state)
         ix_solutions s;
 
         fill(box, -2.1, 2.3);
-        s = solve_text(2 + c, 2 + c, text[c], box, NULL, NULL);
+        s = solve_text(ctx, 2 + c, 2 + c, text[c], box, NULL, NULL);
         assert_true(s.crowded);
         assert_false(s.complete);
         assert_true(s.boxes < 20000);
@@ -629,7 +505,7 @@ static void coincident(void **state)
 
     (void)state;
     fill(box, -1.2, 1.3);
-    s = solve_text(2, 2, text, box, NULL, &o);
+    s = solve_text(ctx, 2, 2, text, box, NULL, &o);
     assert_true(s.n > 0);
     for (int i = 0; i < s.n; i++)
         assert_false(s.sol[i].certified);
@@ -655,7 +531,7 @@ static void vanishing(void **state)
 
     (void)state;
     fill(box, -1.2, 1.3);
-    s = solve_text(2, 2, text, box, NULL, NULL);
+    s = solve_text(ctx, 2, 2, text, box, NULL, NULL);
     assert_int_equal(s.n, 1);
     assert_false(s.sol[0].certified);
     assert_true(s.complete);
