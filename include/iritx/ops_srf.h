@@ -4,9 +4,10 @@
  * any continuity (results have jumps where second derivatives have them);
  * borrowed. n = S_v x S_u, not normalised. Degrees are those of IX_FORM_MINIMAL
  * for input of degree d in a direction (polynomial / rational); there are no
- * published ones, so IX_FORM_PUBLISHED is the same. IX_FORM_IRIT and
- * IX_FORM_NAIVE have the degrees of the quotient rule, as IRIT; IX_FORM_IRIT
- * also has its C0 joins and point types.
+ * published ones, so IX_FORM_PUBLISHED is the same. IX_FORM_NAIVE computes the
+ * formulas with fractions by the quotient rule (degrees: docs/ops); numerators
+ * of rational surfaces are then rational. IX_FORM_IRIT does the same with C0
+ * joins and the few steps that IRIT 11 does otherwise.
  *
  * Common errors, not repeated below:
  *   IX_EARG    not a surface, not 2 or 3 coordinates
@@ -42,7 +43,7 @@ ix_status ix_srf_forms(ix_ctx *ctx, const ix_mv *s, int k, const ix_op_opts *o,
 
 /* The Gauss curvature K, P1: degree 8d-4 / 12d-8. numerator: only k with K =
  * w^4 k / |n w^3|^4, scaled so that its largest control value is 1 or -1, E1:
- * 6d-5 / 8d-8 (with IX_FORM_IRIT P1 for rational input). A surface that is
+ * 6d-5 / 8d-8 (naive and irit: P1 for rational input). A surface that is
  * developable within rounding gives exactly 0. */
 ix_status ix_srf_gauss(ix_ctx *ctx, const ix_mv *s, bool numerator,
                        const ix_op_opts *o, ix_report *rep,

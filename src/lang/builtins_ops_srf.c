@@ -264,8 +264,9 @@ const ix_builtin ix__builtins_ops_srf[] = {
      SADDLE "h = smean(s, false);", smean, 0, 19},
     {"SCRVTR", "s:surface ptype:num dir:num -> surface",
      "The squared normal curvature of the curves along COL (u) or ROW (v), or "
-     "the sum of the squared principal curvatures (OFF), as P1, E1, or as a "
-     "height field (value, u, v).",
+     "the sum of the squared principal curvatures (OFF), exactly as P1 or as "
+     "the height field P3 (value, u, v); E1 and E3 divide each control point "
+     "of these by its weight, which is near the values only.",
      SADDLE "k = scrvtr(s, P1, OFF);", scrvtr, 0, 19},
     {"SFOCAL", "s:surface dir:num -> surface",
      "The centres of normal curvature along COL (u varies) or ROW (v varies).",

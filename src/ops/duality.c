@@ -128,7 +128,7 @@ static ix_status dual(ix_ctx *ctx, const ix_mv *m, const ix_op_opts *o,
         return IX_FAIL(ctx, IX_EDOMAIN,
                        "all tangents pass through the origin: the dual is at "
                        "infinity");
-    IX_TRY(ix__field_store(ctx, &t.s, &f, (ix__irit_rule){0, 0, 0, 0}, o, out));
+    IX_TRY(ix__field_store(ctx, &f, o, out));
     return pad(ctx, m, out);
 }
 
@@ -144,7 +144,7 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_mv *m, const double p[3],
     IX_TRY(ix__form_dot(ctx, &t.n, &t.n, &nn));
     IX_TRY(ix__form_mul(ctx, &t.n, &t.c, &x));
     ix__form_times(&x, -k);
-    IX_TRY(ix__field_store(ctx, &t.s, &f, (ix__irit_rule){0, 0, 0, 0}, o, out));
+    IX_TRY(ix__field_store(ctx, &f, o, out));
     return pad(ctx, m, out);
 }
 

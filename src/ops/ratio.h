@@ -1,4 +1,4 @@
-/* ratio.h - rational functions of one parameter as a straightforward system
+/* ratio.h - rational functions as a straightforward system
  * computes them: quotient rule, cross-multiplied sums, no common factor ever
  * removed. This is what the degree forms naive and irit are made of; their
  * degrees come out of this arithmetic. */
@@ -13,7 +13,11 @@
 ix_status ix__ratio_even(ix_ctx *ctx, ix_frac *f) IX_MUST_CHECK;
 /* The curve itself. */
 ix_frac ix__ratio_of(const ix_curve *c);
-/* (X'W - XW') / W^2 of degree 2d; the derivative of a polynomial. */
+/* The derivative in direction dir, (X'W - XW') / W^2 of degree 2d in every
+ * direction; the derivative of a polynomial. */
+ix_status ix__ratio_partial(ix_ctx *ctx, const ix_frac *f, int dir,
+                            ix_frac *out) IX_MUST_CHECK;
+/* That of a function of one parameter. */
 ix_status ix__ratio_derive(ix_ctx *ctx, const ix_frac *f,
                            ix_frac *out) IX_MUST_CHECK;
 
@@ -34,6 +38,12 @@ ix_status ix__ratio_add(ix_ctx *ctx, const ix_frac *a, int sign,
 /* Both over one denominator, the product of theirs (1 if there is none). */
 ix_status ix__ratio_common(ix_ctx *ctx, const ix_frac *a, const ix_frac *b,
                            ix_form *xa, ix_form *xb, ix_form *w) IX_MUST_CHECK;
+/* The same, but terms that have one weight, which are those of a determinant,
+ * keep it: a straightforward system notices that, and nothing else. */
+ix_status ix__ratio_sum(ix_ctx *ctx, const ix_frac *a, int sign,
+                        const ix_frac *b, ix_frac *out) IX_MUST_CHECK;
+/* True if both have one weight, up to rounding. */
+bool ix__ratio_alike(const ix_frac *a, const ix_frac *b);
 
 /* det(a, b) of rows 0 and 1. */
 ix_status ix__form_det2(ix_ctx *ctx, const ix_form *a, const ix_form *b,

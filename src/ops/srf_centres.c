@@ -3,19 +3,31 @@
 #include <math.h>
 
 #include "geom/vec3.h"
-#include "ops/surface.h"
+#include "ops/srf_naive.h"
 
-/* (x + y) / den, a place in the frame of s. */
+/* x / den, a place in the frame of s. */
 static ix_status store_place(ix_ctx *ctx, const ix_surface *s, const ix_form *x,
-                             const ix_form *y, const ix_form *den,
-                             ix__irit_rule rule, const ix_op_opts *o,
+                             const ix_form *den, const ix_op_opts *o,
                              ix_mv **out)
 {
-    ix_form sum;
-    ix__field f = {den, &sum, 0, &s->frame};
+    ix__field f = {den, x, 0, &s->frame};
 
-    IX_TRY(ix__form_add(ctx, x, 1, y, &sum));
-    return ix__field_store(ctx, s, &f, rule, o, out);
+    return ix__field_store(ctx, &f, o, out);
+}
+
+/* As a straightforward system does it. */
+static ix_status naive(ix_ctx *ctx, const ix_surface *s, int which,
+                       const ix_op_opts *o, ix_mv **out)
+{
+    ix_srf_naive n;
+    ix_frac e;
+
+    IX_TRY(ix__naive_surface(ctx, s, o->form == IX_FORM_IRIT, &n));
+    if (which < 0)
+        IX_TRY(ix__naive_evolute(ctx, &n, &e));
+    else
+        IX_TRY(ix__naive_focal(ctx, &n, which, &e));
+    return store_place(ctx, s, &e.x, &e.w, o, out);
 }
 
 /* (p h + m |m|^2) / (w h). */
@@ -30,13 +42,15 @@ static ix_status evolute(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
                        "the mean curvature is zero everywhere (error band "
                        "%.3g): the evolute is at infinity",
                        s->band);
+    if (ix__naive_wanted(o))
+        return naive(ctx, s, -1, o, out);
     IX_TRY(ix__form_mul(ctx, &s->p, &h, &x));
     IX_TRY(ix__form_mul(ctx, &s->m, &s->mm, &y));
+    IX_TRY(ix__form_add(ctx, &x, 1, &y, &x));
     den = h;
     if (s->rational)
         IX_TRY(ix__form_mul(ctx, &h, &s->w, &den));
-    return store_place(ctx, s, &x, &y, &den, (ix__irit_rule){7, 3, 25, 0}, o,
-                       out);
+    return store_place(ctx, s, &x, &den, o, out);
 }
 
 /* (p w^2 b + m g) / (w^3 b). */
@@ -50,6 +64,8 @@ static ix_status focal(ix_ctx *ctx, const ix_surface *s, int dir,
                        "the normal curvature in direction %d is zero "
                        "everywhere (error band %.3g)",
                        dir, s->band);
+    if (ix__naive_wanted(o))
+        return naive(ctx, s, dir, o, out);
     den = b;
     if (s->rational) {
         IX_TRY(ix__form_mul(ctx, &s->w, &s->w, &ww));
@@ -58,8 +74,8 @@ static ix_status focal(ix_ctx *ctx, const ix_surface *s, int dir,
     }
     IX_TRY(ix__form_mul(ctx, &s->p, &b, &x));
     IX_TRY(ix__form_mul(ctx, &s->m, &s->g[2 * dir], &y));
-    return store_place(ctx, s, &x, &y, &den, (ix__irit_rule){0, 0, 0, 0}, o,
-                       out);
+    IX_TRY(ix__form_add(ctx, &x, 1, &y, &x));
+    return store_place(ctx, s, &x, &den, o, out);
 }
 
 /* --- what they should be ---------------------------------------------------

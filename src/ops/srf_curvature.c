@@ -1,10 +1,11 @@
 /* srf_curvature.c - fundamental forms, Gauss, mean and normal curvatures of a
  * surface as scalar fields. */
 #include <math.h>
+#include <string.h>
 
 #include "geom/vec3.h"
 #include "iritx/sym.h"
-#include "ops/surface.h"
+#include "ops/srf_naive.h"
 
 /* w^k x, or x itself for polynomial surfaces. */
 static ix_status times_weight(ix_ctx *ctx, const ix_surface *s, int k,
@@ -23,45 +24,68 @@ static ix_status times_weight(ix_ctx *ctx, const ix_surface *s, int k,
 /* --- fundamental forms ------------------------------------------------------
  */
 
-static ix_status store_over(ix_ctx *ctx, const ix_surface *s,
-                            const ix_form *den, int exp, const ix_form *x,
+static ix_status store_frac(ix_ctx *ctx, const ix_frac *x, int exp,
                             const ix_op_opts *o, ix_mv **out)
 {
-    ix__field f = {den, x, exp, NULL};
+    ix__field f = {x->rational ? &x->w : NULL, &x->x, exp, NULL};
 
-    return ix__field_store(ctx, s, &f, (ix__irit_rule){0, 0, 0, 0}, o, out);
+    return ix__field_store(ctx, &f, o, out);
 }
 
-static ix_status third_form(ix_ctx *ctx, const ix_surface *s, ix_form x[3],
-                            ix_form *den)
+static ix_status third_form(ix_ctx *ctx, const ix_surface *s, ix_frac x[3])
 {
-    ix_form a[2];
+    ix_form a[2], den;
 
     IX_TRY(ix__surface_gauss_map(ctx, s, a));
-    for (int k = 0; k < 3; k++)
-        IX_TRY(ix__form_dot(ctx, &a[k / 2], &a[(k + 1) / 2], &x[k]));
-    return ix__form_mul(ctx, &s->mm, &s->mm, den);
+    IX_TRY(ix__form_mul(ctx, &s->mm, &s->mm, &den));
+    for (int k = 0; k < 3; k++) {
+        IX_TRY(ix__form_dot(ctx, &a[k / 2], &a[(k + 1) / 2], &x[k].x));
+        x[k].w = den;
+        x[k].rational = true;
+    }
+    return IX_OK;
+}
+
+static ix_status minimal_forms(ix_ctx *ctx, const ix_surface *s, int k,
+                               ix_frac x[3])
+{
+    ix_form den;
+
+    if (k == 3)
+        return third_form(ctx, s, x);
+    IX_TRY(ix__form_power(ctx, &s->w, 4, &den));
+    for (int i = 0; i < 3; i++)
+        x[i] = (ix_frac){k == 1 ? s->g[i] : s->b[i], den, s->rational};
+    return IX_OK;
+}
+
+static ix_status naive_forms(ix_ctx *ctx, const ix_surface *s, int k, bool irit,
+                             ix_frac x[3])
+{
+    ix_srf_naive n;
+
+    IX_TRY(ix__naive_surface(ctx, s, irit, &n));
+    if (k == 3)
+        return ix__naive_third(ctx, &n, x);
+    memcpy(x, k == 1 ? n.g : n.l, sizeof n.g);
+    return IX_OK;
 }
 
 static ix_status forms(ix_ctx *ctx, const ix_mv *m, int k, const ix_op_opts *o,
                        ix_mv *out[3])
 {
-    bool over = m->rational || k == 3;
-    ix_form x[3], den;
+    ix_frac x[3];
     ix_surface s;
-    int exp;
 
     IX_TRY(ix__surface_load(ctx, m, NULL, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
-    exp = k == 3 ? 0 : (k + 1) * s.frame.exp;
+    if (ix__naive_wanted(o))
+        IX_TRY(naive_forms(ctx, &s, k, o->form == IX_FORM_IRIT, x));
+    else
+        IX_TRY(minimal_forms(ctx, &s, k, x));
     for (int i = 0; i < 3; i++)
-        x[i] = k == 1 ? s.g[i] : s.b[i];
-    if (k == 3)
-        IX_TRY(third_form(ctx, &s, x, &den));
-    else if (over)
-        IX_TRY(ix__form_power(ctx, &s.w, 4, &den));
-    for (int i = 0; i < 3; i++)
-        IX_TRY(store_over(ctx, &s, over ? &den : NULL, exp, &x[i], o, &out[i]));
+        IX_TRY(store_frac(ctx, &x[i], k == 3 ? 0 : (k + 1) * s.frame.exp, o,
+                          &out[i]));
     return IX_OK;
 }
 
@@ -89,7 +113,15 @@ ix_status ix_srf_forms(ix_ctx *ctx, const ix_mv *s, int k, const ix_op_opts *o,
 /* --- what the fields should be
  * ------------------------------------------------ */
 
-enum { GAUSS, MEAN_SQR, ALONG_U, ALONG_V, TOTAL };
+enum {
+    GAUSS,
+    MEAN_SQR,
+    ALONG_U,
+    ALONG_V,
+    TOTAL,
+    GAUSS_NUMERATOR,
+    MEAN_NUMERATOR
+};
 
 static void value(const ix_srf_jet *j, int which, double *v)
 {
@@ -126,21 +158,6 @@ static ix_status unit_scale(ix_ctx *ctx, ix_mv **m)
     return st;
 }
 
-static ix_status store_numerator(ix_ctx *ctx, const ix_surface *s,
-                                 const ix_form *x, ix__irit_rule rule,
-                                 const ix_op_opts *o, ix_mv **out)
-{
-    ix__field f = {NULL, x, 0, NULL};
-    ix_form den;
-
-    if (s->rational && o && o->form == IX_FORM_IRIT) {
-        IX_TRY(ix__form_power(ctx, &s->w, 8, &den));
-        f.den = &den;
-    }
-    IX_TRY(ix__field_store(ctx, s, &f, rule, o, out));
-    return unit_scale(ctx, out);
-}
-
 /* A numerator has nothing to be measured against but its zeros. */
 static void report_numerator(const ix_op_opts *o, const ix_mv *out,
                              ix_report *rep)
@@ -157,133 +174,135 @@ static void report_numerator(const ix_op_opts *o, const ix_mv *out,
 /* --- fields
  * ------------------------------------------------------------------------ */
 
-static ix_status gauss(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
-                       ix_mv **out)
-{
-    ix_form k, x, den;
-    ix__field f = {&den, &x, -2 * s->frame.exp, NULL};
-
-    IX_TRY(ix__surface_k(ctx, s, &k));
-    IX_TRY(times_weight(ctx, s, 4, &k, &x));
-    IX_TRY(ix__form_mul(ctx, &s->mm, &s->mm, &den));
-    return ix__field_store(ctx, s, &f, (ix__irit_rule){8, 4, 32, 0}, o, out);
-}
-
-static ix_status gauss_numerator(ix_ctx *ctx, const ix_surface *s,
-                                 const ix_op_opts *o, ix_mv **out)
+/* w^4 k over |m|^4. */
+static ix_status gauss(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
 {
     ix_form k;
 
     IX_TRY(ix__surface_k(ctx, s, &k));
-    return store_numerator(ctx, s, &k, (ix__irit_rule){6, 4, 16, 3}, o, out);
+    IX_TRY(times_weight(ctx, s, 4, &k, &out->x));
+    return ix__form_mul(ctx, &s->mm, &s->mm, &out->w);
 }
 
-static ix_status mean_numerator(ix_ctx *ctx, const ix_surface *s,
-                                const ix_op_opts *o, ix_mv **out)
+static ix_status gauss_numerator(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
 {
-    ix_form h;
+    out->rational = false;
+    return ix__surface_k(ctx, s, &out->x);
+}
 
-    IX_TRY(ix__surface_h(ctx, s, &h));
-    return store_numerator(ctx, s, &h, (ix__irit_rule){5, 3, 12, 3}, o, out);
+static ix_status mean_numerator(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
+{
+    out->rational = false;
+    return ix__surface_h(ctx, s, &out->x);
 }
 
 /* w^2 h^2 over |m|^6. */
-static ix_status mean_parts(ix_ctx *ctx, const ix_surface *s, ix_form *x,
-                            ix_form *den)
+static ix_status mean_parts(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
 {
     ix_form h, hh;
 
     IX_TRY(ix__surface_h(ctx, s, &h));
     IX_TRY(ix__form_mul(ctx, &h, &h, &hh));
-    IX_TRY(times_weight(ctx, s, 2, &hh, x));
-    return ix__form_power(ctx, &s->mm, 3, den);
+    IX_TRY(times_weight(ctx, s, 2, &hh, &out->x));
+    return ix__form_power(ctx, &s->mm, 3, &out->w);
 }
 
-static ix_status mean(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
-                      ix_mv **out)
+static ix_status mean(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
 {
-    ix_form x, den;
-    ix__field f = {&den, &x, -2 * s->frame.exp, NULL};
-
-    IX_TRY(mean_parts(ctx, s, &x, &den));
-    f.exp -= 2; /* a quarter */
-    return ix__field_store(ctx, s, &f, (ix__irit_rule){12, 6, 48, 0}, o, out);
+    IX_TRY(mean_parts(ctx, s, out));
+    ix__form_times(&out->w, 4.0);
+    return IX_OK;
 }
 
 /* w^2 h^2 - 2 w^4 k M over M^3. */
-static ix_status total(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
-                       ix_mv **out)
+static ix_status total(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
 {
-    ix_form x, den, k, wk, twice;
-    ix__field f = {&den, &x, -2 * s->frame.exp, NULL};
+    ix_form k, wk, twice;
 
-    IX_TRY(mean_parts(ctx, s, &x, &den));
+    IX_TRY(mean_parts(ctx, s, out));
     IX_TRY(ix__surface_k(ctx, s, &k));
     IX_TRY(times_weight(ctx, s, 4, &k, &wk));
     IX_TRY(ix__form_copy(ctx, &s->mm, &twice));
     ix__form_times(&twice, 2.0);
-    IX_TRY(ix__form_mul_add(ctx, &wk, -1, &twice, &x));
-    return ix__field_store(ctx, s, &f, (ix__irit_rule){12, 6, 24, 0}, o, out);
+    return ix__form_mul_add(ctx, &wk, -1, &twice, &out->x);
 }
 
 /* w^6 b^2 over g^2 M. */
-static ix_status along(ix_ctx *ctx, const ix_surface *s, int dir,
-                       const ix_op_opts *o, ix_mv **out)
+static ix_status along(ix_ctx *ctx, const ix_surface *s, int dir, ix_frac *out)
 {
-    ix_form bb, gg, x, den;
-    ix__field f = {&den, &x, -2 * s->frame.exp, NULL};
+    ix_form bb, gg;
 
     IX_TRY(ix__form_mul(ctx, &s->b[2 * dir], &s->b[2 * dir], &bb));
-    IX_TRY(times_weight(ctx, s, 6, &bb, &x));
+    IX_TRY(times_weight(ctx, s, 6, &bb, &out->x));
     IX_TRY(ix__form_mul(ctx, &s->g[2 * dir], &s->g[2 * dir], &gg));
-    IX_TRY(ix__form_mul(ctx, &gg, &s->mm, &den));
-    return ix__field_store(ctx, s, &f, (ix__irit_rule){0, 0, 0, 0}, o, out);
+    return ix__form_mul(ctx, &gg, &s->mm, &out->w);
+}
+
+static ix_status along_u(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
+{
+    return along(ctx, s, 0, out);
+}
+
+static ix_status along_v(ix_ctx *ctx, const ix_surface *s, ix_frac *out)
+{
+    return along(ctx, s, 1, out);
 }
 
 /* --- entries
  * ----------------------------------------------------------------------- */
 
-typedef ix_status (*field_fn)(ix_ctx *ctx, const ix_surface *s,
-                              const ix_op_opts *o, ix_mv **out);
+/* A fraction in both ways; which is the value it should have. */
+typedef struct {
+    ix_status (*minimal)(ix_ctx *ctx, const ix_surface *s, ix_frac *out);
+    ix__naive_fn naive;
+    int which;
+} kind;
 
-static ix_status along_u(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
-                         ix_mv **out)
-{
-    return along(ctx, s, 0, o, out);
-}
+static const kind kinds[] = {
+    [GAUSS] = {gauss, ix__naive_gauss, GAUSS},
+    [MEAN_SQR] = {mean, ix__naive_mean_sqr, MEAN_SQR},
+    [ALONG_U] = {along_u, ix__naive_along_u, ALONG_U},
+    [ALONG_V] = {along_v, ix__naive_along_v, ALONG_V},
+    [TOTAL] = {total, ix__naive_total, TOTAL},
+    [GAUSS_NUMERATOR] = {gauss_numerator, ix__naive_k, -1},
+    [MEAN_NUMERATOR] = {mean_numerator, ix__naive_h, -1}};
 
-static ix_status along_v(ix_ctx *ctx, const ix_surface *s, const ix_op_opts *o,
-                         ix_mv **out)
-{
-    return along(ctx, s, 1, o, out);
-}
-
-static ix_status build(ix_ctx *ctx, const ix_mv *m, field_fn fn,
+static ix_status build(ix_ctx *ctx, const ix_mv *m, const kind *k,
                        const ix_op_opts *o, ix_mv **out)
 {
+    ix_frac f = {.rational = true};
     ix_surface s;
+    ix_srf_naive n;
 
     IX_TRY(ix__surface_load(ctx, m, NULL, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
-    return fn(ctx, &s, o, out);
+    if (ix__naive_wanted(o)) {
+        IX_TRY(ix__naive_surface(ctx, &s, o->form == IX_FORM_IRIT, &n));
+        IX_TRY(k->naive(ctx, &n, &f));
+    } else {
+        IX_TRY(k->minimal(ctx, &s, &f));
+    }
+    if (k->which >= 0)
+        return store_frac(ctx, &f, -2 * s.frame.exp, o, out);
+    IX_TRY(store_frac(ctx, &f, 0, o, out));
+    return unit_scale(ctx, out);
 }
 
-/* which < 0: a numerator. */
-static ix_status field(ix_ctx *ctx, const ix_mv *m, field_fn fn, int which,
+static ix_status field(ix_ctx *ctx, const ix_mv *m, const kind *k,
                        const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
     ix_mark mk = ix__scratch_mark(ctx);
     ix_status st;
 
     *out = NULL;
-    st = build(ctx, m, fn, o, out);
+    st = build(ctx, m, k, o, out);
     ix__scratch_release(ctx, mk);
     IX_TRY(st);
-    if (which < 0) {
+    if (k->which < 0) {
         report_numerator(o, *out, rep);
         return IX_OK;
     }
-    st = ix__srf_measure(ctx, m, *out, value, which, o, rep);
+    st = ix__srf_measure(ctx, m, *out, value, k->which, o, rep);
     if (st != IX_OK) {
         ix_mv_unref(ctx, *out);
         *out = NULL;
@@ -294,25 +313,22 @@ static ix_status field(ix_ctx *ctx, const ix_mv *m, field_fn fn, int which,
 ix_status ix_srf_gauss(ix_ctx *ctx, const ix_mv *s, bool numerator,
                        const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
-    return numerator ? field(ctx, s, gauss_numerator, -1, o, rep, out)
-                     : field(ctx, s, gauss, GAUSS, o, rep, out);
+    return field(ctx, s, &kinds[numerator ? GAUSS_NUMERATOR : GAUSS], o, rep,
+                 out);
 }
 
 ix_status ix_srf_mean(ix_ctx *ctx, const ix_mv *s, bool numerator,
                       const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
-    return numerator ? field(ctx, s, mean_numerator, -1, o, rep, out)
-                     : field(ctx, s, mean, MEAN_SQR, o, rep, out);
+    return field(ctx, s, &kinds[numerator ? MEAN_NUMERATOR : MEAN_SQR], o, rep,
+                 out);
 }
 
-ix_status ix_srf_curvature(ix_ctx *ctx, const ix_mv *s,
-                           ix_srf_curvature_kind kind, const ix_op_opts *o,
-                           ix_report *rep, ix_mv **out)
+ix_status ix_srf_curvature(ix_ctx *ctx, const ix_mv *s, ix_srf_curvature_kind k,
+                           const ix_op_opts *o, ix_report *rep, ix_mv **out)
 {
-    static const field_fn fns[3] = {along_u, along_v, total};
-
     *out = NULL;
-    if (kind < IX_SRF_ALONG_U || kind > IX_SRF_TOTAL)
-        return IX_FAIL(ctx, IX_EARG, "kind of curvature %d", (int)kind);
-    return field(ctx, s, fns[kind], ALONG_U + (int)kind, o, rep, out);
+    if (k < IX_SRF_ALONG_U || k > IX_SRF_TOTAL)
+        return IX_FAIL(ctx, IX_EARG, "kind of curvature %d", (int)k);
+    return field(ctx, s, &kinds[ALONG_U + (int)k], o, rep, out);
 }

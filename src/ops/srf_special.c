@@ -59,7 +59,7 @@ static ix_status mismatch(ix_ctx *ctx, const ix_surface *s, int i, int j,
     }
     if (!(size > s->band * terms)) /* zero within its error */
         memset(f.c, 0, f.n * sizeof *f.c);
-    return ix__field_store(ctx, s, &x, (ix__irit_rule){0, 0, 0, 0}, NULL, out);
+    return ix__field_store(ctx, &x, NULL, out);
 }
 
 static ix_status equations(ix_ctx *ctx, const ix_mv *m, ix_mv *f[2])

@@ -140,7 +140,7 @@ ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, const double *origin,
 /* --- the fundamental forms ---------------------------------------------------
  */
 
-static void set_zero(ix_form *f)
+void ix__form_clear(ix_form *f)
 {
     memset(f->c, 0, (size_t)f->nrows * f->n * sizeof *f->c);
 }
@@ -179,7 +179,7 @@ static ix_status second(ix_ctx *ctx, const ix_surface *s, int k, ix_form *out)
         for (int j = 0; j < (k == 1 ? 1 : k == 2 * i ? 2 : 0); j++)
             of_p *= 2.0 * s->degree[i] / ix__spans_mean(&p->dirs[i]);
     if (!(size > s->band * of_n * of_p))
-        set_zero(&t);
+        ix__form_clear(&t);
     return ix__form_lower(ctx, &t, low, out);
 }
 
@@ -200,7 +200,7 @@ static ix_status snap(ix_ctx *ctx, const ix_surface *s, double terms,
 
     IX_TRY(ix__form_bound(ctx, f, &size));
     if (!(size > s->band * terms))
-        set_zero(f);
+        ix__form_clear(f);
     return IX_OK;
 }
 
@@ -262,24 +262,6 @@ ix_status ix__surface_gauss_map(ix_ctx *ctx, const ix_surface *s,
 /* --- results -----------------------------------------------------------------
  */
 
-/* f raised to what the rule asks for. */
-static ix_status raise(ix_ctx *ctx, const ix_surface *s, ix__irit_rule rule,
-                       const ix_op_opts *o, ix_form *f)
-{
-    int degrees[2] = {0, 0};
-
-    if (!o || (o->form != IX_FORM_IRIT && o->form != IX_FORM_NAIVE))
-        return IX_OK;
-    for (int i = 0; i < 2; i++) {
-        int d = s->degree[i];
-
-        degrees[i] = s->rational             ? rule.rational * d
-                     : d == 1 && rule.linear ? rule.linear
-                                             : rule.times * d - rule.less;
-    }
-    return ix__form_elevate(ctx, f, degrees, f);
-}
-
 /* Weights: largest in [1/2, 1), the sum positive. */
 static void normalise(ix_form *all)
 {
@@ -306,8 +288,8 @@ static void carry_back(const ix__field *f, ix_form *all)
         ix__form_times(&x, ldexp(1.0, f->exp));
 }
 
-ix_status ix__field_store(ix_ctx *ctx, const ix_surface *s, const ix__field *f,
-                          ix__irit_rule rule, const ix_op_opts *o, ix_mv **out)
+ix_status ix__field_store(ix_ctx *ctx, const ix__field *f, const ix_op_opts *o,
+                          ix_mv **out)
 {
     const ix_form *parts[2] = {f->den, f->x};
     ix_sym_opts so = {o ? o->max_cont : INT_MAX, 0};
@@ -325,6 +307,5 @@ ix_status ix__field_store(ix_ctx *ctx, const ix_surface *s, const ix__field *f,
     } else {
         ix__form_times(&all, ldexp(1.0, f->exp));
     }
-    IX_TRY(raise(ctx, s, rule, o, &all));
     return ix__form_store(ctx, &all, f->den != NULL, &so, out);
 }

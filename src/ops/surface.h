@@ -58,17 +58,10 @@ ix_status ix__surface_h(ix_ctx *ctx, const ix_surface *s,
 ix_status ix__surface_gauss_map(ix_ctx *ctx, const ix_surface *s,
                                 ix_form out[2]) IX_MUST_CHECK;
 bool ix__form_is_zero(const ix_form *f);
+void ix__form_clear(ix_form *f);
 
 /* --- results ---------------------------------------------------------------
  */
-
-/* The degrees that a form of the result asks for: poly or rational (times d
- * and e), for IX_FORM_NAIVE and IX_FORM_IRIT. Zero: as they are. */
-typedef struct {
-    int times, less; /* polynomial input: times d - less */
-    int rational;    /* rational input: rational d */
-    int linear;      /* for d = 1, if not 0 */
-} ix__irit_rule;
 
 /* x (over den unless NULL) times 2^exp as a multivariate; weights largest in
  * [1/2, 1), mostly positive. */
@@ -77,8 +70,7 @@ typedef struct {
     int exp;
     const ix_frame *place; /* NULL, or: x is a place of this frame */
 } ix__field;
-ix_status ix__field_store(ix_ctx *ctx, const ix_surface *s, const ix__field *f,
-                          ix__irit_rule rule, const ix_op_opts *o,
+ix_status ix__field_store(ix_ctx *ctx, const ix__field *f, const ix_op_opts *o,
                           ix_mv **out) IX_MUST_CHECK;
 
 /* --- points ------------------------------------------------------------------

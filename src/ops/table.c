@@ -129,39 +129,46 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_op_args *a,
 
 CURVE(srf_evolute, ix_srf_evolute)
 
-enum { ALL = 15, NO_IRIT = 7, NO_NAIVE = 11, ONLY_IRIT = 9, ONLY_MINIMAL = 1 };
+enum {
+    ALL = 15,
+    NO_IRIT = 7,
+    NO_NAIVE = 11,
+    NO_PUBLISHED = 13,
+    ONLY_MINIMAL = 1
+};
 
 /* Fields have the names of the functions that look for their zeros; the
  * number is the op of these functions, told by two names. */
-const ix_op ix__ops[] = {{"CINFLECT", {1, 0}, 0, ALL, inflection},
-                         {"CCRVTR", {1, 0}, 0, ALL, critical},
-                         {"CCRVTRSQR", {1, 0}, 0, ALL, curvature_sqr},
-                         {"CTORSION", {1, 0}, 0, NO_IRIT, torsion},
-                         {"CTORSIONZERO", {1, 0}, 0, NO_IRIT, torsion_zero},
-                         {"CNRMLCRV", {1, 0}, 0, ALL, normal_field},
-                         {"EVOLUTE", {1, 0}, 0, ALL, evolute},
-                         {"FOCALCRV", {1, 0}, 0, NO_IRIT, focal},
-                         {"FOCALSRF", {1, 0}, 2, NO_IRIT, polar},
-                         {"TANDEVSRF", {1, 0}, 2, NO_IRIT, tangent},
-                         {"NRMLSCROLL", {1, 0}, 2, NO_IRIT, normal},
-                         {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
-                         {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
-                         {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
-                         {"CBISECTOR3DPT", {1, 0}, 3, ALL, point_planes},
-                         {"CBISECTOR3DPTDIR", {1, 0}, 3, ALL, point_directrix},
-                         {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},
-                         {"SGAUSS", {2, 0}, 0, ONLY_IRIT, gauss},
-                         {"SGAUSSNUM", {2, 0}, 0, ONLY_IRIT, gauss_numerator},
-                         {"SMEAN", {2, 0}, 0, ONLY_IRIT, mean},
-                         {"SMEANNUM", {2, 0}, 0, ONLY_IRIT, mean_numerator},
-                         {"SCRVTR", {2, 0}, 0, ONLY_IRIT, total_curvature},
-                         {"EVOLUTE", {2, 0}, 0, ONLY_IRIT, srf_evolute},
-                         {"SFOCAL", {2, 0}, 1, ONLY_MINIMAL, srf_focal},
-                         {"DUALITY", {1, 0}, 0, ONLY_MINIMAL, dual},
-                         {"DUALITY", {2, 0}, 0, ONLY_MINIMAL, dual},
-                         {"ORTHOTOMC", {1, 0}, 4, ONLY_MINIMAL, orthotomic},
-                         {"ORTHOTOMC", {2, 0}, 4, ONLY_MINIMAL, orthotomic},
-                         {NULL, {0, 0}, 0, 0, NULL}};
+const ix_op ix__ops[] = {
+    {"CINFLECT", {1, 0}, 0, ALL, inflection},
+    {"CCRVTR", {1, 0}, 0, ALL, critical},
+    {"CCRVTRSQR", {1, 0}, 0, ALL, curvature_sqr},
+    {"CTORSION", {1, 0}, 0, NO_IRIT, torsion},
+    {"CTORSIONZERO", {1, 0}, 0, NO_IRIT, torsion_zero},
+    {"CNRMLCRV", {1, 0}, 0, ALL, normal_field},
+    {"EVOLUTE", {1, 0}, 0, ALL, evolute},
+    {"FOCALCRV", {1, 0}, 0, NO_IRIT, focal},
+    {"FOCALSRF", {1, 0}, 2, NO_IRIT, polar},
+    {"TANDEVSRF", {1, 0}, 2, NO_IRIT, tangent},
+    {"NRMLSCROLL", {1, 0}, 2, NO_IRIT, normal},
+    {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
+    {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
+    {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
+    {"CBISECTOR3DPT", {1, 0}, 3, ALL, point_planes},
+    {"CBISECTOR3DPTDIR", {1, 0}, 3, ALL, point_directrix},
+    {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},
+    {"SGAUSS", {2, 0}, 0, NO_PUBLISHED, gauss},
+    {"SGAUSSNUM", {2, 0}, 0, NO_PUBLISHED, gauss_numerator},
+    {"SMEAN", {2, 0}, 0, NO_PUBLISHED, mean},
+    {"SMEANNUM", {2, 0}, 0, NO_PUBLISHED, mean_numerator},
+    {"SCRVTR", {2, 0}, 0, NO_PUBLISHED, total_curvature},
+    {"EVOLUTE", {2, 0}, 0, NO_PUBLISHED, srf_evolute},
+    {"SFOCAL", {2, 0}, 1, NO_PUBLISHED, srf_focal},
+    {"DUALITY", {1, 0}, 0, ONLY_MINIMAL, dual},
+    {"DUALITY", {2, 0}, 0, ONLY_MINIMAL, dual},
+    {"ORTHOTOMC", {1, 0}, 4, ONLY_MINIMAL, orthotomic},
+    {"ORTHOTOMC", {2, 0}, 4, ONLY_MINIMAL, orthotomic},
+    {NULL, {0, 0}, 0, 0, NULL}};
 
 const ix_op *ix__op_find(const char *name)
 {
