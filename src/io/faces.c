@@ -125,11 +125,151 @@ static ix_status face_of_model(ix_ctx *ctx, const ix_model *m, int f,
     return IX_OK;
 }
 
+/* --- loops in each other ---------------------------------------------------
+ */
+
+typedef struct {
+    size_t n;
+    double *uv; /* [n][2] */
+} polygon;
+
+/* 16 points of each curve, and some for each control point. */
+static size_t samples_of(const ix__face_curve *c)
+{
+    return 16 + 4 * ix_mv_npts(c->uv);
+}
+
+static ix_status sampled(ix_ctx *ctx, const ix__face_loop *l, polygon *out)
+{
+    double dom[2], p[IX_MAX_COORDS];
+
+    *out = (polygon){0};
+    for (int k = 0; k < l->n; k++)
+        out->n += samples_of(&l->curve[k]);
+    IX_SCRATCH(ctx, out->uv, 2 * out->n);
+    out->n = 0;
+    for (int k = 0; k < l->n; k++) {
+        const ix__face_curve *c = &l->curve[k];
+        size_t n = samples_of(c);
+
+        ix_mv_domain(c->uv, 0, dom);
+        for (size_t i = 0; i < n; i++) {
+            double s = (double)(c->back ? n - i : i) / (double)n;
+            double t = dom[0] + (dom[1] - dom[0]) * s;
+
+            IX_TRY(ix_mv_point(ctx, c->uv, &t, p));
+            memcpy(out->uv + 2 * out->n++, p, 2 * sizeof *p);
+        }
+    }
+    return IX_OK;
+}
+
+static double area(const polygon *g)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < g->n; i++) {
+        const double *o = g->uv, *p = g->uv + 2 * i;
+        const double *q = g->uv + 2 * ((i + 1) % g->n);
+
+        sum += (p[0] - o[0]) * (q[1] - o[1]) - (q[0] - o[0]) * (p[1] - o[1]);
+    }
+    return sum / 2;
+}
+
+static bool is_inside(const double p[2], const polygon *g)
+{
+    bool in = false;
+
+    for (size_t i = 0; i < g->n; i++) {
+        const double *a = g->uv + 2 * i, *b = g->uv + 2 * ((i + 1) % g->n);
+
+        if ((a[1] > p[1]) != (b[1] > p[1]) &&
+            p[0] < a[0] + (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]))
+            in = !in;
+    }
+    return in;
+}
+
+/* Are most points of a loop inside another, larger one? */
+static bool lies_in(const polygon *g, const polygon *around)
+{
+    size_t n = 0;
+
+    if (!(fabs(area(g)) < fabs(area(around))))
+        return false;
+    for (size_t i = 0; i < g->n; i++)
+        n += is_inside(g->uv + 2 * i, around);
+    return 2 * n > g->n;
+}
+
+ix_status ix__face_nesting(ix_ctx *ctx, const ix__face *f, ix__nesting **out)
+{
+    polygon *g;
+
+    IX_SCRATCH_ZERO(ctx, *out, f->nloops);
+    IX_SCRATCH(ctx, g, f->nloops);
+    for (int i = 0; i < f->nloops; i++)
+        IX_TRY(sampled(ctx, &f->loop[i], &g[i]));
+    for (int i = 0; i < f->nloops; i++) {
+        ix__nesting *l = &(*out)[i];
+        double least = HUGE_VAL;
+
+        l->outer = i;
+        for (int k = 0; k < f->nloops; k++) {
+            if (k == i || !lies_in(&g[i], &g[k]))
+                continue;
+            l->depth++;
+            if (fabs(area(&g[k])) < least) {
+                least = fabs(area(&g[k]));
+                l->outer = k;
+            }
+        }
+        if (l->depth % 2 == 0)
+            l->outer = i;
+        l->turn = (area(&g[i]) < 0) != (l->depth % 2 == 1);
+    }
+    return IX_OK;
+}
+
+/* --- models ----------------------------------------------------------------
+ */
+
+/* No edge is run through twice in the same sense. */
+static ix_status is_oriented(ix_ctx *ctx, const ix_model *m, const ix__face *f,
+                             bool *is)
+{
+    bool(*seen)[2];
+
+    IX_SCRATCH_ZERO(ctx, seen, m->nseg);
+    *is = true;
+    for (int i = 0; i < m->nsrf; i++)
+        for (int l = 0; l < f[i].nloops; l++)
+            for (int k = 0; k < f[i].loop[l].n; k++) {
+                const ix__face_curve *c = &f[i].loop[l].curve[k];
+
+                *is = *is && !seen[c->edge][c->back];
+                seen[c->edge][c->back] = true;
+            }
+    return IX_OK;
+}
+
 ix_status ix__faces_of_model(ix_ctx *ctx, const ix_model *m, ix__face **out)
 {
+    bool oriented;
+
     IX_SCRATCH(ctx, *out, m->nsrf);
     for (int f = 0; f < m->nsrf; f++)
         IX_TRY(face_of_model(ctx, m, f, &(*out)[f]));
+    IX_TRY(is_oriented(ctx, m, *out, &oriented));
+    for (int f = 0; f < m->nsrf && oriented; f++) {
+        ix__nesting *nest;
+
+        IX_TRY(ix__face_nesting(ctx, &(*out)[f], &nest));
+        for (int l = 0; l < (*out)[f].nloops; l++)
+            if (nest[l].depth == 0)
+                (*out)[f].reversed = nest[l].turn;
+    }
     return IX_OK;
 }
 
@@ -547,6 +687,16 @@ static ix_status loops_of(mesher *m, int f, const use **u, ix__trim_loop **out)
     return IX_OK;
 }
 
+static void turn_over(ix__mesh *m)
+{
+    for (size_t i = 0; i < m->ntris; i++) {
+        uint32_t v = m->tri[i][1];
+
+        m->tri[i][1] = m->tri[i][2];
+        m->tri[i][2] = v;
+    }
+}
+
 static ix_status mesh_faces(mesher *m, ix__mesh *out)
 {
     const use *u;
@@ -559,6 +709,8 @@ static ix_status mesh_faces(mesher *m, ix__mesh *out)
         IX_TRY(loops_of(m, f, &u, &loop));
         IX_TRY(ix__mesh_of_part(m->ctx, m->face[f].srf, m->grid[f],
                                 m->face[f].nloops, loop, &out[f]));
+        if (m->face[f].reversed)
+            turn_over(&out[f]);
     }
     return IX_OK;
 }

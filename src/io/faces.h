@@ -23,6 +23,7 @@ typedef struct {
     const ix_mv *srf; /* borrowed */
     int nloops;
     ix__face_loop *loop;
+    bool reversed; /* of a model: its outside is where -S_u x S_v points */
 } ix__face;
 
 /* In scratch. Curves that begin where the one before does not end but end there
@@ -30,10 +31,23 @@ typedef struct {
  * coordinates of a trimming curve. */
 ix_status ix__face_of_trimsrf(ix_ctx *ctx, const ix_trimsrf *t,
                               ix__face *out) IX_MUST_CHECK;
-/* All faces of a model: nsrf. Loops without curves are left out. Err as above.
- */
+/* All faces of a model: nsrf. Loops without curves are left out. If all edges
+ * are run through once in each sense, as on an oriented surface, faces whose
+ * outer loop runs clockwise are reversed. Err as above. */
 ix_status ix__faces_of_model(ix_ctx *ctx, const ix_model *m,
                              ix__face **out) IX_MUST_CHECK;
+
+/* How the loops of a face lie in each other. */
+typedef struct {
+    int depth; /* loops around it; even: it bounds a part from outside */
+    int outer; /* of a hole: the innermost one around it; else itself */
+    bool turn; /* outer loops are to run counter-clockwise, holes clockwise:
+                  it runs the other way */
+} ix__nesting;
+/* By points on the curves; loops that touch count as the most of them say.
+ * *out: [nloops], in scratch. */
+ix_status ix__face_nesting(ix_ctx *ctx, const ix__face *f,
+                           ix__nesting **out) IX_MUST_CHECK;
 
 /* Triangles of n faces within tol of them. Border edges are within tol of the
  * trimming curves on the surface. Faces that share edges of a model get the

@@ -8,6 +8,7 @@
 
 #include "io/export.h"
 #include "io/shapes.h"
+#include "io/step_impl.h"
 
 /* Readers built on Open CASCADE drop curves of higher degree silently. */
 enum { USUAL_DEGREE = 25 };
@@ -18,17 +19,6 @@ enum { POLE_DEPTH = 6 };
 
 /* Entities that every file begins with. */
 enum { PRODUCT_SHAPE = 8, CONTEXT = 13, FIRST_FREE = 15 };
-
-typedef struct {
-    ix_buf *b;
-    ix_buf items, styles; /* "#1,#2,..." */
-    long next;            /* number of the next entity */
-    const char *name;     /* of the object at hand */
-    double rgb[3];
-    bool colored, surfaces;
-    int degree; /* the highest */
-    size_t nleft;
-} step;
 
 /* --- words --------------------------------------------------------------- */
 
@@ -60,13 +50,13 @@ static void put_string(ix_buf *b, const char *s)
     ix__buf_putc(b, '\'');
 }
 
-static long entity(step *s)
+long ix__step_entity(ix__step *s)
 {
     ix__buf_printf(s->b, "#%ld=", s->next);
     return s->next++;
 }
 
-static void add_to(ix_buf *list, long id)
+void ix__step_add(ix_buf *list, long id)
 {
     ix__buf_printf(list, "%s#%ld", list->len > 0 ? "," : "", id);
 }
@@ -94,64 +84,64 @@ static void put_refs(ix_buf *b, size_t n, size_t stride, long first)
 
 /* --- styles -------------------------------------------------------------- */
 
-static void put_style(step *s, long geometry, bool surface)
+void ix__step_style(ix__step *s, long geometry, bool surface)
 {
     long colour, style;
 
     if (!s->colored)
         return;
-    colour = entity(s);
+    colour = ix__step_entity(s);
     ix__buf_puts(s->b, "COLOUR_RGB('',");
     for (int c = 0; c < 3; c++) {
         put_real(s->b, s->rgb[c]);
         ix__buf_puts(s->b, c < 2 ? "," : ");\n");
     }
     if (surface) {
-        style = entity(s);
+        style = ix__step_entity(s);
         ix__buf_printf(s->b, "FILL_AREA_STYLE_COLOUR('',#%ld);\n", colour);
-        (void)entity(s);
+        (void)ix__step_entity(s);
         ix__buf_printf(s->b, "FILL_AREA_STYLE('',(#%ld));\n", style);
-        (void)entity(s);
+        (void)ix__step_entity(s);
         ix__buf_printf(s->b, "SURFACE_STYLE_FILL_AREA(#%ld);\n", style + 1);
-        (void)entity(s);
+        (void)ix__step_entity(s);
         ix__buf_printf(s->b, "SURFACE_SIDE_STYLE('',(#%ld));\n", style + 2);
-        style = entity(s);
+        style = ix__step_entity(s);
         ix__buf_printf(s->b, "SURFACE_STYLE_USAGE(.BOTH.,#%ld);\n", style - 1);
     } else {
-        style = entity(s);
+        style = ix__step_entity(s);
         ix__buf_puts(s->b,
                      "DRAUGHTING_PRE_DEFINED_CURVE_FONT('continuous');\n");
-        style = entity(s);
+        style = ix__step_entity(s);
         ix__buf_printf(s->b,
                        "CURVE_STYLE('',#%ld,POSITIVE_LENGTH_MEASURE(0.1),"
                        "#%ld);\n",
                        style - 1, colour);
     }
-    (void)entity(s);
+    (void)ix__step_entity(s);
     ix__buf_printf(s->b, "PRESENTATION_STYLE_ASSIGNMENT((#%ld));\n", style);
-    add_to(&s->styles, entity(s));
+    ix__step_add(&s->styles, ix__step_entity(s));
     ix__buf_printf(s->b, "STYLED_ITEM('color',(#%ld),#%ld);\n", style + 1,
                    geometry);
 }
 
-static void add_item(step *s, long id, bool surface)
+static void add_item(ix__step *s, long id, bool surface)
 {
-    add_to(&s->items, id);
+    ix__step_add(&s->items, id);
     s->surfaces = s->surfaces || surface;
-    put_style(s, id, surface);
+    ix__step_style(s, id, surface);
 }
 
 /* --- splines ------------------------------------------------------------- */
 
-static void put_xyz(step *s, const double p[3])
+void ix__step_point(ix__step *s, int n, const double *p)
 {
     ix__buf_puts(s->b, "CARTESIAN_POINT('',");
-    put_reals(s->b, 3, 1, p, 1);
+    put_reals(s->b, (size_t)n, 1, p, 1);
     ix__buf_puts(s->b, ");\n");
 }
 
 /* Projected control points; returns the number of the first one. */
-static long put_points(step *s, const ix_mv *m)
+static long put_points(ix__step *s, const ix_mv *m, int dim)
 {
     long first = s->next;
 
@@ -161,8 +151,8 @@ static long put_points(step *s, const ix_mv *m)
         for (int c = 0; c < 3 && c < ix_mv_ncoords(m); c++)
             p[c] = ix_mv_coord(m, c)[i] /
                    (ix_mv_rational(m) ? ix_mv_weights(m)[i] : 1);
-        (void)entity(s);
-        put_xyz(s, p);
+        (void)ix__step_entity(s);
+        ix__step_point(s, dim, p);
     }
     return first;
 }
@@ -237,7 +227,7 @@ static void put_weights(ix_buf *b, const ix_mv *m)
 }
 
 /* An instance of several types lists them in alphabetical order. */
-static void put_rational(step *s, const ix_mv *m, long first)
+static void put_rational(ix__step *s, const ix_mv *m, long first)
 {
     const char *kind = ix_mv_ndirs(m) == 1 ? "CURVE" : "SURFACE";
 
@@ -255,7 +245,7 @@ static void put_rational(step *s, const ix_mv *m, long first)
     ix__buf_printf(s->b, ")%s);\n", ix_mv_ndirs(m) == 1 ? "" : "SURFACE()");
 }
 
-static void put_polynomial(step *s, const ix_mv *m, long first)
+static void put_polynomial(ix__step *s, const ix_mv *m, long first)
 {
     ix__buf_printf(s->b, "B_SPLINE_%s_WITH_KNOTS(",
                    ix_mv_ndirs(m) == 1 ? "CURVE" : "SURFACE");
@@ -267,10 +257,9 @@ static void put_polynomial(step *s, const ix_mv *m, long first)
     ix__buf_puts(s->b, ";\n");
 }
 
-/* An open B-spline of degree 1 or more without jumps or poles. */
-static ix_status put_spline(step *s, const ix_mv *m)
+long ix__step_spline(ix__step *s, const ix_mv *m, int dim)
 {
-    long first = put_points(s, m), id = entity(s);
+    long first = put_points(s, m, dim), id = ix__step_entity(s);
 
     if (ix_mv_rational(m))
         put_rational(s, m, first);
@@ -279,16 +268,23 @@ static ix_status put_spline(step *s, const ix_mv *m)
     for (int d = 0; d < ix_mv_ndirs(m); d++)
         if (ix_mv_order(m, d) - 1 > s->degree)
             s->degree = ix_mv_order(m, d) - 1;
-    add_item(s, id, ix_mv_ndirs(m) == 2);
+    return id;
+}
+
+/* An open B-spline of degree 1 or more without jumps or poles. */
+static ix_status put_spline(ix__step *s, const ix_mv *m)
+{
+    add_item(s, ix__step_spline(s, m, 3), ix_mv_ndirs(m) == 2);
     return ix__buf_check(s->b);
 }
 
 /* --- cutting ------------------------------------------------------------- */
 
-typedef ix_status (*use_fn)(step *s, const ix_mv *m, double least, int depth);
+typedef ix_status (*use_fn)(ix__step *s, const ix_mv *m, double least,
+                            int depth);
 
 /* Both parts at t go to use. */
-static ix_status cut(step *s, const ix_mv *m, int d, double t, use_fn use,
+static ix_status cut(ix__step *s, const ix_mv *m, int d, double t, use_fn use,
                      double least, int depth)
 {
     ix_mv *part[2];
@@ -316,7 +312,8 @@ static bool weights_ok(const ix_mv *m, double least)
 }
 
 /* Halves until the weights are good; recursion of bounded depth. */
-static ix_status without_poles(step *s, const ix_mv *m, double least, int depth)
+static ix_status without_poles(ix__step *s, const ix_mv *m, double least,
+                               int depth)
 {
     int nd = ix_mv_ndirs(m), d = depth % nd;
     double dom[2];
@@ -332,8 +329,7 @@ static ix_status without_poles(step *s, const ix_mv *m, double least, int depth)
     return cut(s, m, d, (dom[0] + dom[1]) / 2, without_poles, least, depth + 1);
 }
 
-/* The first interior knot where direction d jumps, if any. */
-static bool find_jump(const ix_mv *m, int d, double *t)
+bool ix__step_jump(const ix_mv *m, int d, double *t)
 {
     ix_dir dir = ix_mv_dir(m, d);
     int o = dir.order;
@@ -348,7 +344,8 @@ static bool find_jump(const ix_mv *m, int d, double *t)
 
 /* Cut at one jump after the other: first parts have none, so that a loop does
  * for a direction; at most two directions are nested. */
-static ix_status without_jumps(step *s, const ix_mv *m, double least, int dirs)
+static ix_status without_jumps(ix__step *s, const ix_mv *m, double least,
+                               int dirs)
 {
     ix_mv *rest = ix_mv_ref(m), *part[2];
     ix_status st = IX_OK;
@@ -360,7 +357,7 @@ static ix_status without_jumps(step *s, const ix_mv *m, double least, int dirs)
         ix_mv_unref(s->b->ctx, rest);
         return st;
     }
-    while (st == IX_OK && find_jump(rest, d, &t)) {
+    while (st == IX_OK && ix__step_jump(rest, d, &t)) {
         st = ix_mv_split(s->b->ctx, rest, d, t, part);
         if (st != IX_OK)
             break;
@@ -388,8 +385,7 @@ static double least_weight(const ix_mv *m)
     return ldexp(most, -POLE_DEPTH);
 }
 
-/* Open B-spline, no direction of degree 0. */
-static ix_status normalized(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
+ix_status ix__step_normalized(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
 {
     ix_mv *next;
 
@@ -402,7 +398,7 @@ static ix_status normalized(ix_ctx *ctx, const ix_mv *m, ix_mv **out)
     return IX_OK;
 }
 
-static void take_attributes(step *s, const ix_obj *o)
+static void take_attributes(ix__step *s, const ix_obj *o)
 {
     s->name = o->name ? o->name : "";
     s->colored = ix__shape_color(o, s->rgb);
@@ -410,43 +406,65 @@ static void take_attributes(step *s, const ix_obj *o)
 
 static ix_status put_freeform(void *arg, const ix_obj *o, const ix_mv *m)
 {
-    step *s = arg;
+    ix__step *s = arg;
     ix_mv *open;
     ix_status st;
 
     take_attributes(s, o);
-    IX_TRY(normalized(s->b->ctx, m, &open));
+    IX_TRY(ix__step_normalized(s->b->ctx, m, &open));
     st = without_jumps(s, open, least_weight(open), ix_mv_ndirs(open));
     ix_mv_unref(s->b->ctx, open);
     return st;
 }
 
+/* What cannot be trimmed exactly is told and left out. */
+static ix_status put_faces(void *arg, const ix_obj *o, int n, const ix__face *f)
+{
+    ix__step *s = arg;
+    size_t at = s->b->len;
+    long next = s->next, plane = s->plane;
+    ix_status st;
+
+    if (n == 1 && f->nloops == 0)
+        return put_freeform(arg, o, f->srf);
+    take_attributes(s, o);
+    st = ix__step_shell(s, n, f);
+    if (st != IX_EUNABLE && st != IX_EDOMAIN)
+        return st;
+    s->b->len = at;
+    s->next = next;
+    s->plane = plane;
+    ix__note(s->b->ctx, "warning: %.60s is not in the STEP file: %s",
+             o->name ? o->name : "an object", ix_ctx_message(s->b->ctx));
+    return IX_OK;
+}
+
 static ix_status put_point(void *arg, const ix_obj *o, const double p[3])
 {
-    step *s = arg;
-    long id = entity(s);
+    ix__step *s = arg;
+    long id = ix__step_entity(s);
 
     take_attributes(s, o);
-    put_xyz(s, p);
-    add_to(&s->items, id);
+    ix__step_point(s, 3, p);
+    ix__step_add(&s->items, id);
     return ix__buf_check(s->b);
 }
 
 /* Polygons are closed polylines; point lists are points. */
-static void put_polygon(step *s, const ix_polygon *pg)
+static void put_polygon(ix__step *s, const ix_polygon *pg)
 {
     bool closed = pg->kind == IX_POLYGON && pg->n > 2;
     long first = s->next, id;
 
     for (int k = 0; k < pg->n; k++) {
-        id = entity(s);
-        put_xyz(s, pg->v[k].p);
+        id = ix__step_entity(s);
+        ix__step_point(s, 3, pg->v[k].p);
         if (pg->kind == IX_POINTLIST || pg->n == 1)
-            add_to(&s->items, id);
+            ix__step_add(&s->items, id);
     }
     if (pg->kind == IX_POINTLIST || pg->n < 2)
         return;
-    id = entity(s);
+    id = ix__step_entity(s);
     ix__buf_puts(s->b, "POLYLINE(");
     put_string(s->b, s->name);
     ix__buf_puts(s->b, ",(");
@@ -459,7 +477,7 @@ static void put_polygon(step *s, const ix_polygon *pg)
 
 static ix_status put_poly(void *arg, const ix_obj *o, const ix_poly *p)
 {
-    step *s = arg;
+    ix__step *s = arg;
 
     take_attributes(s, o);
     for (int i = 0; i < p->n; i++)
@@ -469,7 +487,7 @@ static ix_status put_poly(void *arg, const ix_obj *o, const ix_poly *p)
 
 /* --- the file ------------------------------------------------------------ */
 
-static void put_head(step *s, const char *name)
+static void put_head(ix__step *s, const char *name)
 {
     ix_buf *b = s->b;
 
@@ -507,24 +525,46 @@ static void put_head(step *s, const char *name)
            "#14=PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#4));\n");
 }
 
-/* The set of all items, which represents the product's shape. */
-static void put_tail(step *s)
+/* The set of all items that are no faces. */
+static void put_set(ix__step *s)
 {
-    long set = entity(s);
+    long set;
 
+    if (s->items.len == 0)
+        return;
+    set = ix__step_entity(s);
     ix__buf_printf(s->b, "%s('',(%s));\n",
                    s->surfaces ? "GEOMETRIC_SET" : "GEOMETRIC_CURVE_SET",
                    s->items.data);
-    (void)entity(s);
-    ix__buf_printf(s->b,
-                   "GEOMETRICALLY_BOUNDED_%s_SHAPE_REPRESENTATION('',(#%ld),"
-                   "#%d);\n",
-                   s->surfaces ? "SURFACE" : "WIREFRAME", set, CONTEXT);
-    (void)entity(s);
+    if (s->shells.len > 0)
+        ix__step_add(&s->shells, set);
+    else
+        ix__buf_printf(&s->shells, "#%ld", set);
+}
+
+static const char *representation(const ix__step *s, bool shells)
+{
+    if (shells)
+        return s->items.len > 0 ? "SHAPE_REPRESENTATION"
+                                : "MANIFOLD_SURFACE_SHAPE_REPRESENTATION";
+    return s->surfaces ? "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION"
+                       : "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION";
+}
+
+/* All shells and the set represent the product's shape. */
+static void put_tail(ix__step *s)
+{
+    const char *kind = representation(s, s->shells.len > 0);
+    long id;
+
+    put_set(s);
+    id = ix__step_entity(s);
+    ix__buf_printf(s->b, "%s('',(%s),#%d);\n", kind, s->shells.data, CONTEXT);
+    (void)ix__step_entity(s);
     ix__buf_printf(s->b, "SHAPE_DEFINITION_REPRESENTATION(#%d,#%ld);\n",
-                   PRODUCT_SHAPE, set + 1);
+                   PRODUCT_SHAPE, id);
     if (s->styles.len > 0) {
-        (void)entity(s);
+        (void)ix__step_entity(s);
         ix__buf_printf(s->b,
                        "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_"
                        "REPRESENTATION('',(%s),#%d);\n",
@@ -533,7 +573,7 @@ static void put_tail(step *s)
     ix__buf_puts(s->b, "ENDSEC;\nEND-ISO-10303-21;\n");
 }
 
-static void tell(const step *s)
+static void tell(const ix__step *s)
 {
     if (s->nleft > 0)
         ix__note(s->b->ctx,
@@ -546,10 +586,11 @@ static void tell(const step *s)
                  s->degree, (int)USUAL_DEGREE);
 }
 
-static ix_status write_all(step *s, const ix_obj *o, const ix_write_opts *w)
+static ix_status write_all(ix__step *s, const ix_obj *o, const ix_write_opts *w)
 {
     const ix__shape_sink sink = {.format = "a STEP file",
                                  .freeform = put_freeform,
+                                 .faces = put_faces,
                                  .poly = put_poly,
                                  .point = put_point,
                                  .arg = s};
@@ -558,7 +599,8 @@ static ix_status write_all(step *s, const ix_obj *o, const ix_write_opts *w)
     IX_TRY(ix__shapes(s->b->ctx, o, w && w->tol > 0 ? w->tol : 1, &sink));
     IX_TRY(ix__buf_check(&s->items));
     IX_TRY(ix__buf_check(&s->styles));
-    if (s->items.len == 0)
+    IX_TRY(ix__buf_check(&s->shells));
+    if (s->items.len == 0 && s->shells.len == 0)
         return IX_FAIL(s->b->ctx, IX_EUNABLE,
                        "nothing is left for a STEP file: the weights vanish");
     put_tail(s);
@@ -568,13 +610,15 @@ static ix_status write_all(step *s, const ix_obj *o, const ix_write_opts *w)
 
 ix_status ix__step_write(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
 {
-    step s = {.b = b, .next = FIRST_FREE};
+    ix__step s = {.b = b, .next = FIRST_FREE};
     ix_status st;
 
     ix__buf_init(&s.items, b->ctx);
     ix__buf_init(&s.styles, b->ctx);
+    ix__buf_init(&s.shells, b->ctx);
     st = write_all(&s, o, w);
     ix__buf_free(&s.items);
     ix__buf_free(&s.styles);
+    ix__buf_free(&s.shells);
     return st;
 }

@@ -343,53 +343,6 @@ typedef struct {
     ix_mv **curve;
 } contours;
 
-enum { SAMPLES = 16 }; /* of a curve, to tell which way a loop turns */
-
-/* Points of a loop in the parameter plane: double[2][n]. */
-static ix_status sample(ix_ctx *ctx, int n, ix_mv *const *curve, double *uv)
-{
-    size_t all = (size_t)n * SAMPLES;
-    double t[SAMPLES], pts[2 * SAMPLES], dom[2];
-
-    for (int i = 0; i < n; i++) {
-        ix_mv_domain(curve[i], 0, dom);
-        for (int k = 0; k < SAMPLES; k++)
-            t[k] = dom[0] + (dom[1] - dom[0]) * k / SAMPLES;
-        IX_TRY(ix_mv_point_many(ctx, curve[i], SAMPLES, t, pts));
-        memcpy(uv + i * SAMPLES, pts, sizeof t);
-        memcpy(uv + all + (size_t)i * SAMPLES, pts + SAMPLES, sizeof t);
-    }
-    return IX_OK;
-}
-
-static double area(size_t n, const double *uv)
-{
-    double sum = 0;
-
-    for (size_t i = 0; i < n; i++) {
-        size_t k = (i + 1) % n;
-
-        sum += (uv[i] - uv[0]) * (uv[n + k] - uv[n]) -
-               (uv[k] - uv[0]) * (uv[n + i] - uv[n]);
-    }
-    return sum / 2;
-}
-
-static bool is_inside(const double p[2], size_t n, const double *uv)
-{
-    bool in = false;
-
-    for (size_t i = 0; i < n; i++) {
-        size_t k = (i + 1) % n;
-        double u0 = uv[i], v0 = uv[n + i], u1 = uv[k], v1 = uv[n + k];
-
-        if ((v0 > p[1]) != (v1 > p[1]) &&
-            p[0] < u0 + (u1 - u0) * (p[1] - v0) / (v1 - v0))
-            in = !in;
-    }
-    return in;
-}
-
 static ix_status reverse_loop(ix_ctx *ctx, int n, ix_mv **curve)
 {
     for (int i = 0; i < n; i++) {
@@ -404,33 +357,6 @@ static ix_status reverse_loop(ix_ctx *ctx, int n, ix_mv **curve)
 
         curve[i] = curve[n - 1 - i];
         curve[n - 1 - i] = c;
-    }
-    return IX_OK;
-}
-
-/* Outer loops run counter-clockwise, those inside an odd number of others
- * clockwise. */
-static ix_status orient(ix_ctx *ctx, contours *c)
-{
-    double **uv;
-    int first = 0;
-
-    IX_SCRATCH(ctx, uv, c->nloops);
-    for (int i = 0; i < c->nloops; first += c->size[i++]) {
-        IX_SCRATCH(ctx, uv[i], (size_t)c->size[i] * SAMPLES * 2);
-        IX_TRY(sample(ctx, c->size[i], c->curve + first, uv[i]));
-    }
-    first = 0;
-    for (int i = 0; i < c->nloops; first += c->size[i++]) {
-        size_t n = (size_t)c->size[i] * SAMPLES;
-        double p[2] = {uv[i][0], uv[i][n]};
-        bool hole = false;
-
-        for (int k = 0; k < c->nloops; k++)
-            if (k != i && is_inside(p, (size_t)c->size[k] * SAMPLES, uv[k]))
-                hole = !hole;
-        if ((area(n, uv[i]) < 0) != hole)
-            IX_TRY(reverse_loop(ctx, c->size[i], c->curve + first));
     }
     return IX_OK;
 }
@@ -463,7 +389,6 @@ static ix_status put_trimmed(ix__x3d *w, const char *name,
 {
     ix_mv *const *curve = c->curve;
 
-    IX_TRY(orient(w->b->ctx, c));
     IX_TRY(ix__x3d_shape(w, name, look, false));
     open_surface(w, "NurbsTrimmedSurface", m);
     w->depth++;
@@ -488,11 +413,13 @@ static bool has_poles(const ix__x3d *w, const char *name, const ix_mv *m)
     return true;
 }
 
-/* The curves of a face, in the order and sense of its loops. */
+/* The curves of a face: outer loops counter-clockwise, holes clockwise. */
 static ix_status add_curves(ix_ctx *ctx, contours *c, const ix__face *f)
 {
+    ix__nesting *nest;
     int n = 0;
 
+    IX_TRY(ix__face_nesting(ctx, f, &nest));
     for (int i = 0; i < f->nloops; i++)
         n += f->loop[i].n;
     c->nloops = f->nloops;
@@ -508,6 +435,9 @@ static ix_status add_curves(ix_ctx *ctx, contours *c, const ix__face *f)
             if (f->loop[i].curve[k].back)
                 IX_TRY(reverse_loop(ctx, 1, at));
         }
+        if (nest[i].turn)
+            IX_TRY(reverse_loop(ctx, c->size[i],
+                                c->curve + c->ncurves - c->size[i]));
     }
     return IX_OK;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harness/can.h"
 #include "harness/fault.h"
 #include "harness/randmv.h"
 #include "io/faces.h"
@@ -80,7 +81,7 @@ typedef struct {
 static void make_simple(simple *s, ix_mv *srf, int n, ix_mv *const *uv)
 {
     *s = (simple){.srf = srf};
-    s->face = (ix__face){srf, n, s->loop};
+    s->face = (ix__face){.srf = srf, .nloops = n, .loop = s->loop};
     for (int i = 0; i < n; i++) {
         s->uv[i] = uv[i];
         s->curve[i] = (ix__face_curve){.uv = uv[i], .edge = -1};
@@ -533,6 +534,79 @@ static void test_model(void **state)
     ix__scratch_release(ctx, mk);
 }
 
+/* An edge of points in space, smaller end first. */
+typedef struct {
+    double a[3], b[3];
+    int sense;
+} space_edge;
+
+static int by_space(const void *x, const void *y)
+{
+    const space_edge *p = x, *q = y;
+    int c = memcmp(p->a, q->a, sizeof p->a);
+
+    return c ? c : memcmp(p->b, q->b, sizeof p->b);
+}
+
+static space_edge edge_between(const double *a, const double *b)
+{
+    bool ahead = memcmp(a, b, 3 * sizeof *a) < 0;
+    space_edge e = {.sense = ahead ? 1 : -1};
+
+    memcpy(e.a, ahead ? a : b, sizeof e.a);
+    memcpy(e.b, ahead ? b : a, sizeof e.b);
+    return e;
+}
+
+/* Closed: each edge once in each sense; and the volume it encloses, from
+ * outward triangles, is less than the can's by less than its area times the
+ * tolerance. */
+static void test_can(void **state)
+{
+    const double tol = .002, pi = acos(-1.);
+    ix_mark mk = ix__scratch_mark(ctx);
+    space_edge *e;
+    ix__face *face;
+    ix__mesh *g;
+    size_t n = 0;
+    double volume = 0;
+    ix_obj *o;
+
+    (void)state;
+    ASSERT_OK(ctx, ix__itd_read(ctx, "t", CAN, strlen(CAN), &o));
+    ASSERT_OK(ctx, ix__faces_of_model(ctx, o->u.model.item[0], &face));
+    assert_true(face[1].reversed && !face[0].reversed && !face[2].reversed);
+    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 3, face, tol, &g));
+    e = malloc(3 * sizeof *e * (g[0].ntris + g[1].ntris + g[2].ntris));
+    assert_non_null(e);
+    for (int f = 0; f < 3; f++)
+        for (size_t i = 0; i < g[f].ntris; i++) {
+            const double *p[3];
+
+            for (int k = 0; k < 3; k++)
+                p[k] = g[f].xyz + 3 * g[f].tri[i][k];
+            for (int k = 0; k < 3; k++) {
+                e[n++] = edge_between(p[k], p[(k + 1) % 3]);
+                volume += p[0][k] *
+                          (p[1][(k + 1) % 3] * p[2][(k + 2) % 3] -
+                           p[1][(k + 2) % 3] * p[2][(k + 1) % 3]) /
+                          6;
+            }
+        }
+    qsort(e, n, sizeof *e, by_space);
+    for (size_t i = 0; i < n; i += 2) {
+        assert_int_equal(by_space(&e[i], &e[i + 1]), 0);
+        assert_int_equal(e[i].sense + e[i + 1].sense, 0);
+        assert_true(i == 0 || by_space(&e[i - 1], &e[i]) != 0);
+    }
+    assert_true(volume <= 2 * pi && volume >= 2 * pi - 6 * pi * tol);
+    free(e);
+    for (int f = 0; f < 3; f++)
+        ix__mesh_free(ctx, &g[f]);
+    ix__obj_unref(ctx, o);
+    ix__scratch_release(ctx, mk);
+}
+
 /* --- errors and allocations ------------------------------------------------
  */
 
@@ -617,8 +691,8 @@ int main(void)
         cmocka_unit_test(test_region),  cmocka_unit_test(test_holes),
         cmocka_unit_test(test_borders), cmocka_unit_test(test_crossing),
         cmocka_unit_test(test_outside), cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_model),   cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_model),   cmocka_unit_test(test_can),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_faults),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);

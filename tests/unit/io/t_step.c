@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harness/can.h"
 #include "harness/fault.h"
 #include "harness/randmv.h"
 #include "io/export.h"
@@ -308,6 +309,86 @@ static void test_other_shapes(void **state)
     ix__buf_free(&b);
 }
 
+#define SQUARE                                                      \
+    "[TRIMCRV [TRIMCRVSEG [CURVE BSPLINE 5 2 E2 [KV 0 0 1 2 3 4 4]" \
+    "[0 0][1 0][1 1][0 1][0 0]]]]"
+#define HOLE                                                        \
+    "[TRIMCRV [TRIMCRVSEG [CURVE BEZIER 4 E2 [.3 .5][.3 .7][.7 .7]" \
+    "[.7 .5]]][TRIMCRVSEG [CURVE BEZIER 4 E2 [.7 .5][.7 .3][.3 .3]" \
+    "[.3 .5]]]]"
+#define TRIMMED(points) \
+    "[OBJECT T [TRIMSRF [SURFACE BEZIER 2 2 " points "]" SQUARE HOLE "]]"
+#define PLAIN "E3 [0 0 0][4 0 0][0 4 0][4 4 1]"
+
+/* Entities that begin with a word. */
+static int entities(const char *file, const char *word)
+{
+    char mark[64];
+
+    (void)snprintf(mark, sizeof mark, "=%s(", word);
+    return count(file, mark);
+}
+
+/* A square outline, cut at its corners, and a hole of two curves. */
+static void test_trimmed(void **state)
+{
+    ix_buf b;
+
+    (void)state;
+    ASSERT_OK(ctx, write_itd(&b, TRIMMED(PLAIN)));
+    check_file(b.data);
+    assert_int_equal(entities(b.data, "ADVANCED_FACE"), 1);
+    assert_int_equal(entities(b.data, "FACE_OUTER_BOUND"), 1);
+    assert_int_equal(entities(b.data, "FACE_BOUND"), 1);
+    assert_int_equal(entities(b.data, "EDGE_CURVE"), 6);
+    assert_int_equal(entities(b.data, "VERTEX_POINT"), 6);
+    assert_int_equal(entities(b.data, "PCURVE"), 6);
+    assert_int_equal(entities(b.data, "OPEN_SHELL"), 1);
+    assert_int_equal(entities(b.data, "GEOMETRIC_SET"), 0);
+    /* v is quadratic, so u v has degree 5; along the border reduced to 1 */
+    assert_int_equal(count(b.data, "B_SPLINE_CURVE_WITH_KNOTS('T',5,"), 2);
+    assert_int_equal(count(b.data, "B_SPLINE_CURVE_WITH_KNOTS('T',1,"), 8);
+    ix__buf_free(&b);
+}
+
+static void test_model(void **state)
+{
+    ix_buf b;
+
+    (void)state;
+    ASSERT_OK(ctx, write_itd(&b, "[OBJECT M " CAN
+                                 "][OBJECT P [CURVE BEZIER 2 E3 [0 0 0]"
+                                 "[1 1 1]]]"));
+    check_file(b.data);
+    assert_int_equal(entities(b.data, "ADVANCED_FACE"), 3);
+    assert_int_equal(entities(b.data, "EDGE_CURVE"), 3);
+    assert_int_equal(entities(b.data, "SEAM_CURVE"), 1);
+    assert_int_equal(entities(b.data, "VERTEX_POINT"), 2);
+    assert_int_equal(entities(b.data, "ORIENTED_EDGE"), 6);
+    assert_int_equal(entities(b.data, "CLOSED_SHELL"), 1);
+    assert_int_equal(entities(b.data, "GEOMETRIC_CURVE_SET"), 1);
+    ix__buf_free(&b);
+}
+
+/* Poles of a trimmed surface; a trimming curve that leaves the domain. */
+static void test_not_trimmed(void **state)
+{
+    ix_buf b;
+
+    (void)state;
+    assert_int_equal(
+        write_itd(&b, TRIMMED("P3 [1 0 0 0][-1 4 0 0][1 0 4 0][1 4 4 1]")),
+        IX_EUNABLE);
+    ix__buf_free(&b);
+    assert_int_equal(
+        write_itd(&b, "[OBJECT T [TRIMSRF [SURFACE BSPLINE 2 2 2 2 E3"
+                      "[KV 0 0 1 1][KV 0 0 1 1] [0 0 0][4 0 0][0 4 0][4 4 1]]"
+                      "[TRIMCRV [TRIMCRVSEG [CURVE BEZIER 3 E2 [.5 .5][9 .5]"
+                      "[.5 .5]]]]]]"),
+        IX_EUNABLE);
+    ix__buf_free(&b);
+}
+
 /* The same for OBJ: elements and their indices. */
 static void test_obj(void **state)
 {
@@ -343,7 +424,7 @@ static void make(ix_ctx *c, void *state)
     static const char text[] =
         "[OBJECT P [CURVE BEZIER 2 P2 [-.5 1 0][.5 1 0]]]"
         "[OBJECT [COLOR 4] A [CURVE BSPLINE 4 2 E2 "
-        "[KV 0 0 1 1 2 2][0 0][1 0][1 1][2 1]]]";
+        "[KV 0 0 1 1 2 2][0 0][1 0][1 1][2 1]]]" TRIMMED(PLAIN);
     inputs *in = state;
 
     ASSERT_OK(c, ix__itd_read(c, "t", text, strlen(text), &in->o));
@@ -379,9 +460,11 @@ static void test_faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_jumps),
-        cmocka_unit_test(test_poles),  cmocka_unit_test(test_other_shapes),
-        cmocka_unit_test(test_obj),    cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_random),      cmocka_unit_test(test_jumps),
+        cmocka_unit_test(test_poles),       cmocka_unit_test(test_other_shapes),
+        cmocka_unit_test(test_trimmed),     cmocka_unit_test(test_model),
+        cmocka_unit_test(test_not_trimmed), cmocka_unit_test(test_obj),
+        cmocka_unit_test(test_faults),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);
