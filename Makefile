@@ -83,7 +83,7 @@ ALL_OBJ   := $(call obj,$(DRAW_SRC) $(LIB_SRC) $(APP_SRC) $(TEST_SRC) $(HARNESS)
 .SECONDARY: $(ALL_OBJ) $(TESTS) $(call bin,$(BENCH_SRC))
 .DELETE_ON_ERROR:
 
-all: $(LIB) $(SHLIB) $(PROG) $(MODULE)        ## library and program (build/iritx)
+all: $(LIB) $(SHLIB) $(PROG) $(MODULE) $(if $(filter 0,$(WITH_VIEWER)),,viewer) ## library and program (build/iritx)
 	$(Q)$(if $(filter build/release,$(B)),$(if $(PROG),cmp -s $(PROG) build/iritx || cp -f $(PROG) build/iritx))
 	$(Q)$(if $(filter build/release,$(B)),$(if $(MODULE),cp -f $(MODULE) build))
 
@@ -183,19 +183,27 @@ bench: $(call bin,$(BENCH_SRC))                     ## timings, as one table
 demo: all                                           ## run scripts/demo.irt
 	@scripts/dev/demo $(B)/iritx
 
-# The viewer of "iritx view": an X3D browser in one script, from npm.
-X_ITE := 15.0.1
+# The viewer of "iritx view": an X3D browser in one script, made of an npm package
+# that is fetched once. The build does without when there is no network, and asks
+# again when told to ("make web"). WITH_VIEWER=0 leaves it out.
+WITH_VIEWER  ?= 1
+X_ITE        := 15.0.1
+X_ITE_SHA512 := 199a625288853271e0f32e44f7a93963ba7bb461b503382a7d5548f5e5787f565d97667b1a2b991fa96dd19aaca5de25d91f7ad077ea1fec7182fe6130f7d772
 WEB   := build/web/iritx_view.js
-web: $(WEB)                                         ## the viewer for "iritx view", from npm
-build/web/x_ite-$(X_ITE).tgz:
-	@mkdir -p $(@D); command -v npm >/dev/null || { echo "make web: npm is not installed"; exit 1; }
-	$(Q)cd $(@D) && npm pack --silent x_ite@$(X_ITE)
+web: $(WEB)                                         ## the viewer for "iritx view", fetched again if need be
+build/web/x_ite-$(X_ITE).tgz: scripts/dev/fetch_viewer
+	$(Q)scripts/dev/fetch_viewer $(X_ITE) $(X_ITE_SHA512) $@
+	$(Q)rm -f $(@D)/none
 $(WEB): build/web/x_ite-$(X_ITE).tgz scripts/dev/bundle_viewer
 	$(Q)rm -rf build/web/package && tar -xzf $< -C build/web && scripts/dev/bundle_viewer build/web/package $@
 	$(Q)rm -rf build/web/package
-check-web: $(PROG) $(WEB)                           ## the page of "iritx view" in headless Chromium
+viewer:
+	@mkdir -p build/web; [ -e build/web/none ] || [ $(WEB) -nt scripts/dev/bundle_viewer ] || \
+	 $(MAKE) --no-print-directory web 2>build/web/none && rm -f build/web/none || \
+	 { sed -n 1p build/web/none; echo 'the viewer is left out, all else is built; "make web" tries again'; }
+check-web: $(PROG)                                  ## the page of "iritx view" in headless Chromium, if installed
 	@tests/harness/check "tests/web/run $(B)/iritx"
-.PHONY: web check-web
+.PHONY: web viewer check-web
 
 # --- installing --------------------------------------------------------------
 D := $(DESTDIR)$(PREFIX)
@@ -211,7 +219,7 @@ install: all                                        ## into PREFIX (/usr/local),
 	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|' \
 	 scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
 	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx
-	[ ! -e $(WEB) ] || install -m 644 $(WEB) $(D)/share/iritx
+	[ ! -e $(WEB) ] || install -m 644 $(WEB) $(WEB:.js=.LICENSE) $(D)/share/iritx
 	for f in scripts/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
 uninstall:                                          ## remove what "install" put there
 	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc

@@ -5,19 +5,20 @@
  * objects as X3D, each in a Switch, and what the objects are as its caption. */
 #define _POSIX_C_SOURCE 200809L
 #include <limits.h>
-#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "app/cmd.h"
 #include "app/summary.h"
+#include "app/view_camera.h"
+#include "app/view_page.h"
 #include "io/scene.h"
+#include "io/shapes.h"
 
-/* --- the viewer
- * --------------------------------------------------------------------------
+/* --- the viewer -------------------------------------------------------- */
+
+/* Appends the script that the build prepared, found from the program's place.
  */
-
-/* Appends the script that make web prepared, found from the program's place. */
 static ix_status add_viewer(ix_ctx *ctx, ix_buf *b)
 {
     static const char *const places[] = {"../share/iritx/", "web/", "../web/"};
@@ -32,13 +33,13 @@ static ix_status add_viewer(ix_ctx *ctx, ix_buf *b)
         if (access(path, R_OK) == 0)
             return ix__file_read(ctx, path, b);
     }
-    return IX_FAIL(ctx, IX_EUNABLE,
-                   "the viewer iritx_view.js is not there: \"make web\" makes "
-                   "it from the npm package x_ite (npm must be installed)");
+    return IX_FAIL(
+        ctx, IX_EUNABLE,
+        "the viewer iritx_view.js is not there: \"make web\" fetches "
+        "it, and \"make install\" puts it beside the program");
 }
 
-/* --- parts of the page
- * ------------------------------------------------------------------- */
+/* --- parts of the page ------------------------------------------------- */
 
 static void add_escaped(ix_buf *b, const char *s)
 {
@@ -115,6 +116,35 @@ static ix_status add_object(ix_buf *b, const ix_obj *o, int i)
     return ix__buf_check(b);
 }
 
+/* Type and name, up to the colon, stand out. */
+static void add_heading(ix_buf *b, char *s)
+{
+    char *colon = strstr(s, ": ");
+
+    if (colon) {
+        *colon = '\0';
+        ix__buf_puts(b, "<b>");
+        add_escaped(b, s);
+        ix__buf_puts(b, "</b>: ");
+        s = colon + 2;
+    }
+    add_escaped(b, s);
+}
+
+/* The caption's box, and the colour that the object has. */
+static void add_box(ix_buf *b, const ix_obj *o, int i)
+{
+    double rgb[3] = {0.5, 0.5, 0.5};
+
+    (void)ix__shape_color(o, rgb);
+    ix__buf_printf(b,
+                   "<label class=\"object\"><input type=\"checkbox\" checked "
+                   "data-object=\"%d\"><span class=\"swatch\" "
+                   "style=\"background:rgb(%d,%d,%d)\"></span><pre>",
+                   i, (int)(255 * rgb[0]), (int)(255 * rgb[1]),
+                   (int)(255 * rgb[2]));
+}
+
 static ix_status add_caption(ix_buf *b, const ix_obj *o, int i)
 {
     ix_buf text;
@@ -125,92 +155,15 @@ static ix_status add_caption(ix_buf *b, const ix_obj *o, int i)
     if (st == IX_OK)
         st = ix__buf_check(&text);
     if (st == IX_OK) {
-        ix__buf_printf(b,
-                       "<label><input type=\"checkbox\" checked "
-                       "data-object=\"%d\"><pre>",
-                       i);
-        add_escaped(b, text.data);
+        add_box(b, o, i);
+        add_heading(b, text.data);
         ix__buf_puts(b, "</pre></label>\n");
     }
     ix__buf_free(&text);
     return st;
 }
 
-/* --- the page
- * -----------------------------------------------------------------------------
- */
-
-static const char page_head[] =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src data: "
-    "blob: 'unsafe-inline' 'unsafe-eval'\">\n"
-    "<title>iritx</title><style>\n"
-    "html,body{margin:0;height:100%;font:13px sans-serif}\n"
-    "body{display:flex}\n"
-    "x3d-canvas{flex:1;height:100%}\n"
-    "#objects{max-width:28em;overflow:auto;padding:0 8px;background:#eee}\n"
-    "label{display:flex;align-items:flex-start}\n"
-    "pre{margin:3px;white-space:pre-wrap}\n"
-    "</style>\n<script>\n";
-
-static const char page_canvas[] =
-    "</script></head><body>\n<x3d-canvas id=\"view\" splashScreen=\"false\" "
-    "contextMenu=\"false\">"
-    "</x3d-canvas>\n<div id=\"objects\">\n"
-    "<p>Drag: orbit. Wheel: zoom. "
-    "<button id=\"all\">Show all</button></p>\n"
-    "<label><input type=\"checkbox\" id=\"nets\"><pre>control nets</pre>"
-    "</label><hr>\n";
-
-static const char page_scene[] =
-    "</div>\n<script type=\"text/plain\" id=\"scene\">"
-    "<X3D profile=\"Interchange\" version=\"4.0\"><head>"
-    "<component name=\"NURBS\" level=\"4\"/></head><Scene>\n"
-    "<NavigationInfo type='\"EXAMINE\" \"ANY\"'/>"
-    "<Background skyColor=\"0.8 0.9 1\"/>\n";
-
-static const char page_end[] =
-    "</Scene></X3D></script>\n<script>\n"
-    "const browser = document.getElementById('view').browser;\n"
-    "const nets = document.getElementById('nets');\n"
-    "const boxes = [...document.querySelectorAll('[data-object]')];\n"
-    "function choose(name, on) {\n"
-    "  browser.currentScene.getNamedNode(name).whichChoice = on ? 0 : -1;\n"
-    "}\n"
-    "function update() {\n"
-    "  for (const box of boxes) {\n"
-    "    choose('iritx_o' + box.dataset.object, box.checked);\n"
-    "    choose('iritx_n' + box.dataset.object, box.checked && nets.checked);\n"
-    "  }\n"
-    "}\n"
-    "async function start() {\n"
-    "  const text = document.getElementById('scene').textContent;\n"
-    "  await browser.replaceWorld(await browser.createX3DFromString(text));\n"
-    "  for (const box of [nets, ...boxes]) box.onchange = update;\n"
-    "  document.getElementById('all').onclick = () => browser.viewAll();\n"
-    "  document.title = 'iritx: ready';\n"
-    "}\n"
-    "start();\n</script></body></html>\n";
-
-/* Looks along -z at the box of all objects, from where its sphere fits into
- * X3D's field of view of pi / 4. */
-static void add_viewpoint(ix_buf *b, const ix_obj *list)
-{
-    double box[6], mid[3], size = 0;
-
-    if (ix__obj_bbox(b->ctx, list, box) != IX_OK)
-        return;
-    for (int k = 0; k < 3; k++) {
-        mid[k] = (box[2 * k] + box[2 * k + 1]) / 2;
-        size = hypot(size, box[2 * k + 1] - box[2 * k]);
-    }
-    if (!(size > 0 && isfinite(size)))
-        return;
-    ix__buf_printf(b, "<Viewpoint position=\"%.9g %.9g %.9g\" ", mid[0], mid[1],
-                   mid[2] + 1.4 * size);
-    ix__buf_printf(b, "centerOfRotation=\"%.9g %.9g %.9g\"/>\n", mid[0], mid[1],
-                   mid[2]);
-}
+/* --- the page ---------------------------------------------------------- */
 
 /* The elements of list, one each. */
 static ix_status make_page(ix_buf *b, const ix_obj *list)
@@ -220,23 +173,23 @@ static ix_status make_page(ix_buf *b, const ix_obj *list)
 
     ix__buf_init(&viewer, b->ctx);
     st = add_viewer(b->ctx, &viewer);
-    ix__buf_puts(b, page_head);
+    ix__buf_puts(b, view_page_head);
     if (st == IX_OK)
         ix__buf_add(b, viewer.data, viewer.len);
     ix__buf_free(&viewer);
-    ix__buf_puts(b, page_canvas);
+    ix__buf_puts(b, view_page_body);
     for (int i = 0; st == IX_OK && i < list->u.list.n; i++)
         st = add_caption(b, list->u.list.item[i], i);
-    ix__buf_puts(b, page_scene);
-    add_viewpoint(b, list);
+    ix__buf_puts(b, view_page_scene);
+    view_camera_begin(b, list);
     for (int i = 0; st == IX_OK && i < list->u.list.n; i++)
         st = add_object(b, list->u.list.item[i], i);
-    ix__buf_puts(b, page_end);
+    view_camera_end(b);
+    ix__buf_puts(b, view_page_end);
     return st == IX_OK ? ix__buf_check(b) : st;
 }
 
-/* --- the command
- * ---------------------------------------------------------------------- */
+/* --- the command ------------------------------------------------------- */
 
 /* The file's object, or the elements of its list, to the end of list. */
 static ix_status add_file(ix_ctx *ctx, const char *name, ix_obj *list)
@@ -255,14 +208,11 @@ static ix_status add_file(ix_ctx *ctx, const char *name, ix_obj *list)
 
 static int write_page(ix_ctx *ctx, const ix_obj *list, const char *out)
 {
-    ix_buf page;
-    ix_status st;
+    ix__outfile *f;
+    ix_status st = ix__outfile_open(ctx, out, &f);
 
-    ix__buf_init(&page, ctx);
-    st = make_page(&page, list);
     if (st == IX_OK)
-        st = ix__file_write(ctx, out, page.data, page.len);
-    ix__buf_free(&page);
+        st = ix__outfile_close(f, make_page(ix__outfile_text(f), list));
     return st == IX_OK ? 0 : cmd_complain(ctx);
 }
 
