@@ -126,7 +126,7 @@ ix_status ix__buf_check(ix_buf *b)
 {
     if (b->failed)
         return IX_FAIL(b->ctx, IX_ENOMEM, "out of memory for text");
-    if (!b->sink || b->len < 4 * IX_BUF_PIECE)
+    if (!b->sink || b->len < 2 * IX_BUF_PIECE)
         return IX_OK;
     return drain(b, b->len / IX_BUF_PIECE * IX_BUF_PIECE);
 }

@@ -304,6 +304,56 @@ static void test_save_refuses(void **state)
 
 /* --- memory ----------------------------------------------------------- */
 
+/* 2.4 MB of text and more; the digits of random numbers do not repeat. */
+static ix_obj *large(ix_ctx *ctx)
+{
+    enum { N = 1000 };
+    const ix_dir dir = {IX_BEZIER, N, N, false, NULL};
+    static double pts[3 * N];
+    ix_obj *list = ix__obj_list(ctx);
+    ix_rng r = ix_rng_new(8);
+
+    for (int i = 0; i < 40; i++) {
+        ix_mv *m;
+        ix_obj *o;
+
+        for (int k = 0; k < 3 * N; k++)
+            pts[k] = ix_rng_range(&r, -1, 1);
+        ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 3, false, pts, &m));
+        o = ix__obj_mv(ctx, IX_OBJ_CURVE, m);
+        ASSERT_OK(ctx, ix__obj_append(ctx, list, o));
+        ix__obj_unref(ctx, o);
+    }
+    return list;
+}
+
+/* Law: beside the objects, no file takes more than 1 MB, to save or to load. */
+static void test_bounded(void **state)
+{
+    static const char *const names[] = {"m.itd", "m.itd.gz", "m.xml",
+                                        "m.xml.gz"};
+    const size_t beside = 1000000;
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+        ix_obj *o = large(ctx), *p;
+        size_t objects = ctx->live;
+        struct stat sb;
+
+        ix_ctx_set_memory_limit(ctx, objects + beside);
+        ASSERT_OK(ctx, ix__save(ctx, in_folder(names[i]), o, NULL));
+        assert_int_equal(stat(in_folder(names[i]), &sb), 0);
+        assert_true(sb.st_size > 1000000);
+        ix__obj_unref(ctx, o);
+        ASSERT_OK(ctx, ix__load(ctx, in_folder(names[i]), NULL, &p));
+        assert_int_equal(p->u.list.n, 40);
+        ix__obj_unref(ctx, p);
+        ix_ctx_free(ctx);
+        assert_int_equal(unlink(in_folder(names[i])), 0);
+    }
+}
+
 static void fault_setup(ix_ctx *ctx, void *state)
 {
     ix_obj **o = state;
@@ -348,7 +398,7 @@ int main(void)
         cmocka_unit_test(test_unreadable), cmocka_unit_test(test_unwritable),
         cmocka_unit_test(test_full),       cmocka_unit_test(test_cancel),
         cmocka_unit_test(test_suffixes),   cmocka_unit_test(test_save_refuses),
-        cmocka_unit_test(test_faults)};
+        cmocka_unit_test(test_bounded),    cmocka_unit_test(test_faults)};
 
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
