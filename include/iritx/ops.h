@@ -47,9 +47,9 @@ typedef struct {
  *
  * In    c1, c2   curves of at most 3 coordinates (missing ones are 0), any
  *                basis, polynomial or rational, with any continuity; borrowed
- *       o        IX_FORM_MINIMAL; IX_FORM_PUBLISHED and IX_FORM_IRIT raise
- *                rational degrees to 4d - 1 and 5d, the latter gives a
- *                B-spline with C0 joins
+ *       o        IX_FORM_MINIMAL; IX_FORM_PUBLISHED, IX_FORM_NAIVE and
+ *                IX_FORM_IRIT have rational degrees 4d - 1, 6d - 2 and 5d, the
+ *                last gives a B-spline with C0 joins
  * Out   *out     rational surface with 3 coordinates, direction 0 over c1's
  *                domain, direction 1 over c2's; new reference. Degree in a
  *                direction: 3d - 1 if its curve is polynomial of degree d, 4d
@@ -66,7 +66,7 @@ typedef struct {
  *       IX_EDOMAIN  a curve is a point
  *       IX_EDOMAIN  both are the same curve, perhaps reversed
  *       IX_EDOMAIN  all weights of the input are zero
- *       IX_EUNABLE  IX_FORM_NAIVE; an order above IX_MAX_ORDER
+ *       IX_EUNABLE  an order above IX_MAX_ORDER
  * Num   in a frame of size 1, as six products of minors for each coordinate;
  *       relative equidistance about 1e-14 where the weight is not small
  * Src   Elber and Kim 1998, equations (4)-(6); the degree by minors of lifted

@@ -106,6 +106,23 @@ ix_status ix_pt_crv_bisector3d_pieces(ix_ctx *ctx, const ix_mv *crv,
                                       const ix_ruling *r, const ix_op_opts *o,
                                       ix_crvs *out) IX_MUST_CHECK;
 
+/* An alpha-sector of two space curves as IRIT defines it.
+ *
+ *   B(s, t): (B - C1).C1' = 0, (B - C2).C2' = 0,
+ *            (C2 - C1).(B - ((1 - alpha) C1 + alpha C2)) = 0
+ *
+ * the bisector (ix_cbisector3d) for alpha = 1/2; otherwise the distances from
+ * both curves have no constant ratio (ix_ratio_sector has).
+ *
+ * In    alpha  finite; 0 passes through C1, 1 through C2
+ *       o      degree in a curve's own direction 3d-1 / 4d-2; published 3d-1 /
+ *              4d-1, naive 3d-1 / 6d-2, irit 3d-1 / 5d as ix_cbisector3d
+ * Out, Err     as ix_cbisector3d, and IX_EARG a ratio that is not finite
+ * Src   Elber & Kim 1998, equations (4)-(6) */
+ix_status ix_calphasector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                            double alpha, const ix_op_opts *o, ix_report *rep,
+                            ix_mv **out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

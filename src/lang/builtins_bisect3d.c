@@ -115,15 +115,40 @@ static ix_status cbisector3d(ix_call *c)
         return IX_ARG_FAIL(c, 2,
                            "only the bisector of a curve and a point is "
                            "ruled");
-    if (o.form == IX_FORM_NAIVE)
-        return IX_FAIL(c->ctx, IX_EUNABLE,
-                       "the bisector surface is not available in degree form "
-                       "naive, only in minimal, published and irit");
     if (ix__arg_num(c, 1) == 4)
         return IX_ARG_FAIL(c, 1,
                            "the zero set of function 4 is not available, "
                            "only the bisector surface (1)");
     IX_TRY(ix_cbisector3d(c->ctx, x[0].mv, x[1].mv, &o, NULL, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+/* A planar curve and a point: a curve. */
+static ix_status planar_sector(ix_call *c, const ix_operand *x, double alpha)
+{
+    ix_op_opts o = ix__op_opts(c);
+    ix_mv *out;
+
+    IX_TRY(ix_pt_crv_bisector(c->ctx, x[0].mv, x[1].pt, alpha, &o, NULL, &out));
+    IX_TRY(ix__ret_mv(c, -1, out));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+}
+
+static ix_status calphasector(ix_call *c)
+{
+    static const ix_ruling r = {.kind = IX_RULING_PLANES};
+    double alpha = ix__arg_num(c, 1);
+    ix_op_opts o = ix__op_opts(c);
+    ix_operand x[2];
+    ix_mv *out;
+
+    IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2,
+                            "list(curve, curve) or list(curve, point)", x));
+    if (!x[1].mv && ix_mv_ncoords(x[0].mv) <= 2)
+        return planar_sector(c, x, alpha);
+    if (!x[1].mv)
+        return ruled_bisector(c, x, alpha, &r);
+    IX_TRY(ix_calphasector3d(c->ctx, x[0].mv, x[1].mv, alpha, &o, NULL, &out));
     return ix__ret_mv(c, -1, out);
 }
 
@@ -143,4 +168,9 @@ const ix_builtin ix__builtins_bisect3d[] = {
      PAIR "s = cbisector3d(list(a, b), 1); r = cbisector3d(list(a, point(0, "
           "1, 1)), 1, list(-1, 1));",
      cbisector3d, 0, 21},
+    {"CALPHASECTOR", "operands:list alpha:num -> surface|curve|list",
+     "As CBISECTOR3D, with the plane that divides the line between the feet "
+     "in the ratio alpha, 0 at the first curve, 1 at the second; of a curve "
+     "and a point 0 at the curve. Two coordinates and a point: a curve.",
+     PAIR "s = calphasector(list(a, b), 0.25);", calphasector, 0, 21},
     {0}};

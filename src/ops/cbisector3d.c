@@ -1,4 +1,5 @@
-/* cbisector3d.c - the bisector surface of two space curves.
+/* cbisector3d.c - the bisector surface of two space curves, and the
+ * alpha-sectors beside it.
  *
  * A curve (p, w) has the lift L = (w p, w^2, |p|^2). A sphere a.x + b + e|x|^2
  * = 0 touches the curve where (a, b, e) is orthogonal to both partials of L;
@@ -6,18 +7,25 @@
  * coefficients are the 4 x 4 minors of these and its centre is -a / (2e).
  * Expanded by pairs of rows, each minor is a sum of six products of a 2 x 2
  * minor in s by one in t (Laplace): the result is kept in that form until its
- * grid of control points is written. */
+ * grid of control points is written.
+ *
+ * An alpha-sector has the plane through (1 - alpha) C1 + alpha C2 in place of
+ * that through the middle. With E = w1 p2 - w2 p1 and D the tangents (scaled as
+ * w^2 D, the minors x1 y1 z1) it adds (2 alpha - 1) |E|^2 D1 x D2 to the
+ * numerators: sums of products of w^2 D, |p|^2 D and w p_k D_j. */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>
 
 #include "bern/bern.h"
-#include "iritx/ops.h"
+#include "geom/vec3.h"
+#include "iritx/ops_bisect.h"
 #include "ops/lift.h"
+#include "ops/report.h"
 #include "sym/outer.h"
 
-enum { NTERMS = 24, GRID = 5 };
+enum { NTERMS = 24, NMORE = 30, GRID = 5 };
 
 /* --- the six products ----------------------------------------------------- */
 
@@ -41,19 +49,53 @@ static void expand(int row, int without, double f, ix_outer_term *t)
     }
 }
 
-/* Row 0 is the weight 2e, rows 1 .. 3 are -a; minor j has the sign (-1)^j. */
-static void make_terms(ix_outer_term *t)
+/* Rows after the ten minors of each curve: |p|^2 D, then w p_k D_j. */
+enum { QUADRATIC = 10, MIXED = 13 };
+
+/* f |E|^2 (D1 x D2)_i: ten terms. */
+static int add_sector(int row, int i, double f, ix_outer_term *t)
 {
+    int n = 0, sign, tangent = ix__lift_minor(0, 3, &sign);
+
+    for (int h = 0; h < 2; h++) {
+        int j = (i + 1 + h) % 3, l = (i + 2 - h) % 3;
+        double e = h ? -f : f;
+
+        t[n++] = (ix_outer_term){row, tangent + j, QUADRATIC + l, e};
+        t[n++] = (ix_outer_term){row, QUADRATIC + j, tangent + l, e};
+        for (int k = 0; k < 3; k++)
+            t[n++] = (ix_outer_term){row, MIXED + 3 * k + j, MIXED + 3 * k + l,
+                                     -2.0 * e};
+    }
+    return n;
+}
+
+/* Row 0 is the weight 2e, rows 1 .. 3 are -a; minor j has the sign (-1)^j. */
+static int make_terms(double alpha, ix_outer_term *t)
+{
+    int n = 6;
+
     expand(0, 4, 2.0, t);
-    expand(1, 0, -1.0, t + 6);
-    expand(2, 1, 1.0, t + 12);
-    expand(3, 2, -1.0, t + 18);
+    for (int i = 0; i < 3; i++) {
+        expand(1 + i, i, i == 1 ? 1.0 : -1.0, t + n);
+        n += 6;
+        if (alpha != 0.5)
+            n += add_sector(1 + i, i, 2.0 * alpha - 1.0, t + n);
+    }
+    return n;
 }
 
 /* --- degenerate input ----------------------------------------------------- */
 
+typedef struct {
+    double alpha;
+    ix_degree_form form;
+    int max_cont;
+} task;
+
 /* What the computation knows of both curves. */
 typedef struct {
+    const ix_mv *const *crv;
     ix_frame frame;
     ix_form f[2], minors[2];
     double band; /* relative error of a coefficient of the result */
@@ -135,17 +177,70 @@ static ix_status check_same(ix_ctx *ctx, const ix_mv *const *c, const pair *p,
                    reversed ? ", one reversed" : "", big, tol);
 }
 
+/* The projected control points of both curves one after the other; k is
+ * advanced, false at the end. Those of weight 0 are directions: left out. */
+static bool next_point(const ix_mv *const *c, size_t *k, double out[3])
+{
+    for (; *k < c[0]->npts + c[1]->npts; ++*k) {
+        const ix_mv *m = *k < c[0]->npts ? c[0] : c[1];
+        size_t i = *k < c[0]->npts ? *k : *k - c[0]->npts;
+        double w = m->rational ? ix_mv_weights(m)[i] : 1.0;
+
+        for (int j = 0; j < 3; j++)
+            out[j] = ix_mv_coord(m, j)[i] / w;
+        if (w != 0.0) {
+            ++*k;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Farthest distance of the control points from the line through two of them,
+ * the first and the one farthest from it; the line holds both curves if that is
+ * within rounding. */
+static double off_line(const ix_mv *const *c)
+{
+    double p0[3] = {0, 0, 0}, p[3], u[3] = {0, 0, 0}, v[3], worst = 0.0;
+    size_t k = 0, first;
+
+    (void)next_point(c, &k, p0);
+    first = k;
+    while (next_point(c, &k, p)) {
+        ix__sub3(p, p0, v);
+        if (ix__len3(v) > ix__len3(u))
+            ix__sub3(p, p0, u);
+    }
+    (void)ix__unit3(u, u);
+    for (k = first; next_point(c, &k, p);) {
+        double x[3];
+
+        ix__sub3(p, p0, v);
+        ix__cross3(u, v, x);
+        worst = fmax(worst, ix__len3(x));
+    }
+    return worst;
+}
+
 static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
                               const double *w, double size)
 {
-    double big = ix__bern_largest(n, w);
+    double big = ix__bern_largest(n, w), off;
 
-    if (!(big > p->band * size))
+    if (big > p->band * size)
+        return IX_OK;
+    off = off_line(p->crv);
+    if (off <= ldexp(p->band, p->frame.exp))
         return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the curves lie in one plane: the weight is at most "
-                       "%.3g of its terms, error band %.3g",
-                       size > 0.0 ? big / size : 0.0, p->band);
-    return IX_OK;
+                       "the curves lie on one straight line, within %.3g: "
+                       "their bisector consists of planes at right angles to "
+                       "it",
+                       off);
+    return IX_FAIL(ctx, IX_EDOMAIN,
+                   "the curves lie in one plane: the weight is at most %.3g of "
+                   "its terms, error band %.3g; their bisector is a cylinder "
+                   "over that in the plane",
+                   size > 0.0 ? big / size : 0.0, p->band);
 }
 
 /* --- the surface ---------------------------------------------------------- */
@@ -166,32 +261,81 @@ static void finish(const ix_frame *frame, size_t n, double *pts)
 }
 
 /* The degree that a form of the result asks for, given the minimal one. */
-static int wanted_degree(const ix_op_opts *o, bool rational, int d, int minimal)
+static int wanted_degree(ix_degree_form form, bool rational, int d, int minimal)
 {
     int n = minimal;
 
-    if (o && o->form == IX_FORM_IRIT && rational)
+    if (form == IX_FORM_IRIT && rational)
         n = 5 * d;
-    if (o && o->form == IX_FORM_PUBLISHED && rational)
+    if (form == IX_FORM_PUBLISHED && rational)
         n = 4 * d - 1;
     return n > minimal ? n : minimal;
 }
 
-static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c,
-                           const ix_op_opts *o, pair *p)
+/* |p|^2 D and w p_k D_j, with w^2 D = the minors x1 y1 z1. */
+static ix_status sector_rows(ix_ctx *ctx, const ix_form *f, bool rational,
+                             ix_form *out)
+{
+    ix_form p = ix__form_rows(f, rational, 3), w, d, pp, wp, part[4];
+    const ix_form *list[4] = {&part[0], &part[1], &part[2], &part[3]};
+
+    if (rational) {
+        w = ix__form_rows(f, 0, 1);
+        IX_TRY(ix__form_jacobian(ctx, &p, &w, 0, &d));
+        ix__form_times(&d, 2.0);
+        IX_TRY(ix__form_mul(ctx, &p, &w, &wp));
+    } else {
+        IX_TRY(ix__form_derive(ctx, &p, 0, &d));
+        ix__form_times(&d, -ix__spans_mean(&p.dirs[0]));
+        wp = p;
+    }
+    IX_TRY(ix__form_dot(ctx, &p, &p, &pp));
+    IX_TRY(ix__form_mul(ctx, &d, &pp, &part[0]));
+    for (int k = 0; k < 3; k++) {
+        ix_form one = ix__form_rows(&wp, k, 1);
+
+        IX_TRY(ix__form_mul(ctx, &d, &one, &part[k + 1]));
+    }
+    return ix__form_join(ctx, 4, list, out);
+}
+
+/* The factors of the surface in one curve. The naive form leaves a factor w^2
+ * in them that fractions do not lose. */
+static ix_status load_factors(ix_ctx *ctx, const ix_form *f, bool rational,
+                              const task *k, ix_form *out)
+{
+    ix_form minors, more, w;
+    const ix_form *parts[2] = {&minors, &more};
+
+    IX_TRY(ix__lift_tangents(ctx, f, rational, &minors));
+    *out = minors;
+    if (k->alpha != 0.5) {
+        IX_TRY(sector_rows(ctx, f, rational, &more));
+        IX_TRY(ix__form_join(ctx, 2, parts, out));
+    }
+    if (!rational || k->form != IX_FORM_NAIVE)
+        return IX_OK;
+    w = ix__form_rows(f, 0, 1);
+    IX_TRY(ix__form_mul(ctx, out, &w, out));
+    return ix__form_mul(ctx, out, &w, out);
+}
+
+static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
+                           pair *p)
 {
     bool both = c[0]->rational || c[1]->rational;
 
+    p->crv = c;
     IX_TRY(ix__frame_of(ctx, 2, c, &p->frame));
     for (int i = 0; i < 2; i++) {
         int degree;
 
         IX_TRY(ix__forms_load(ctx, 1, &c[i], &p->frame, &p->f[i]));
-        IX_TRY(ix__lift_tangents(ctx, &p->f[i], c[i]->rational, &p->minors[i]));
-        degree = wanted_degree(o, both, p->f[i].dirs[0].degree,
+        IX_TRY(load_factors(ctx, &p->f[i], c[i]->rational, k, &p->minors[i]));
+        degree = wanted_degree(k->form, both, p->f[i].dirs[0].degree,
                                p->minors[i].dirs[0].degree);
         IX_TRY(ix__form_elevate(ctx, &p->minors[i], &degree, &p->minors[i]));
-        if (o && o->form == IX_FORM_IRIT) /* B-spline whatever the input */
+        if (k->form == IX_FORM_IRIT) /* B-spline whatever the input */
             p->minors[i].bezier = 0;
     }
     p->band = error_band(p);
@@ -209,25 +353,23 @@ static ix_status fill(ix_ctx *ctx, const pair *p, const ix_outer *sum, ix_mv *s)
     return ix__check_finite(ctx, 4 * s->npts, s->pts);
 }
 
-static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
+static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const task *k,
                        ix_mv **out)
 {
-    ix_outer_term terms[NTERMS];
-    ix_sym_opts so = {o ? o->max_cont : INT_MAX, 0};
-    ix_outer sum = {.nrows = 4, .nterms = NTERMS, .terms = terms};
+    ix_outer_term terms[NTERMS + NMORE];
+    ix_sym_opts so = {k->form == IX_FORM_IRIT ? 0 : k->max_cont, 0};
+    ix_outer sum = {.nrows = 4, .terms = terms};
     ix_dir dirs[2];
     ix_status st;
     pair p;
     ix_mv *s;
 
-    if (o && o->form == IX_FORM_IRIT)
-        so.max_cont = 0;
-    IX_TRY(load_pair(ctx, c, o, &p));
+    IX_TRY(load_pair(ctx, c, k, &p));
     for (int i = 0; i < 2; i++)
         IX_TRY(check_point(ctx, &p, i));
     for (int i = 0; i < 2; i++)
         IX_TRY(check_same(ctx, c, &p, i == 1));
-    make_terms(terms);
+    sum.nterms = make_terms(k->alpha, terms);
     sum.u = &p.minors[0];
     sum.v = &p.minors[1];
     IX_TRY(ix__outer_dirs(ctx, &sum, &so, dirs));
@@ -243,23 +385,34 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
 
 /* --- the report ----------------------------------------------------------- */
 
-static double distance(const double *a, const double *b)
-{
-    double s = 0.0;
-
-    for (int k = 0; k < 3; k++)
-        s = hypot(s, a[k] - b[k]);
-    return s;
-}
-
 /* Points closer to infinity than this part of the largest weight are not
  * measured: there the surface has no point. */
 #define POLE 1e-6
 
-static ix_status measure_at(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
-                            const double *t, double size, double *worst)
+/* How far b is from the plane through (1 - alpha) p0 + alpha p1 at right angles
+ * to p1 - p0, relative to size or the distance; for alpha = 1/2 the difference
+ * of the distances. */
+static double off_plane(const double *b, double p[2][3], double alpha,
+                        double size)
 {
-    double x[4], p[2][3], r[2];
+    double e[3], m[3], r[2];
+
+    for (int i = 0; i < 2; i++)
+        r[i] = ix__dist3(b, p[i]);
+    size = fmax(size, fmax(r[0], r[1]));
+    if (alpha == 0.5)
+        return fabs(r[0] - r[1]) / size;
+    ix__sub3(p[1], p[0], e);
+    ix__axpy3(p[0], alpha, e, m);
+    ix__sub3(b, m, m);
+    return fabs(ix__dot3(m, e)) / (size * fmax(ix__len3(e), DBL_MIN));
+}
+
+static ix_status measure_at(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
+                            double alpha, const double *t, double size,
+                            double *worst)
+{
+    double x[4], p[2][3];
 
     IX_TRY(ix_mv_eval(ctx, s, t, x));
     if (!(fabs(x[0]) > POLE))
@@ -273,24 +426,23 @@ static ix_status measure_at(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
     }
     for (int k = 0; k < 3; k++)
         x[k + 1] /= x[0];
-    for (int i = 0; i < 2; i++)
-        r[i] = distance(x + 1, p[i]);
-    r[0] = fabs(r[0] - r[1]) / fmax(size, fmax(r[0], r[1]));
-    *worst = fmax(isnan(*worst) ? 0.0 : *worst, r[0]);
+    *worst = fmax(isnan(*worst) ? 0.0 : *worst,
+                  off_plane(x + 1, p, alpha, size));
     return IX_OK;
 }
 
 static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
-                         const ix_op_opts *o, ix_report *rep)
+                         const task *k, ix_report *rep)
 {
     double a[2], b[2];
     ix_frame frame;
 
-    *rep = (ix_report){.form = o ? o->form : IX_FORM_MINIMAL, .ndirs = 2};
-    rep->orders[0] = ix_mv_order(s, 0);
-    rep->orders[1] = ix_mv_order(s, 1);
-    rep->residual = (double)NAN;
-    rep->how = "equidistance on a 5 x 5 grid, relative to distance or size";
+    ix__report_init(rep, k->form, s);
+    rep->how = k->alpha == 0.5
+                   ? "equidistance on a 5 x 5 grid, relative to distance or "
+                     "size"
+                   : "distance from the dividing plane on a 5 x 5 grid, "
+                     "relative to distance or size";
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
     ix_mv_domain(s, 0, a);
     ix_mv_domain(s, 1, b);
@@ -299,7 +451,7 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
             double t[2] = {a[0] + (a[1] - a[0]) * (i + 0.5) / GRID,
                            b[0] + (b[1] - b[0]) * (j + 0.5) / GRID};
 
-            IX_TRY(measure_at(ctx, c, s, t, ldexp(1.0, frame.exp),
+            IX_TRY(measure_at(ctx, c, s, k->alpha, t, ldexp(1.0, frame.exp),
                               &rep->residual));
         }
     return IX_OK;
@@ -307,8 +459,7 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
 
 /* --- entry ---------------------------------------------------------------- */
 
-static ix_status check_input(ix_ctx *ctx, const ix_mv *const *c,
-                             const ix_op_opts *o)
+static ix_status check_input(ix_ctx *ctx, const ix_mv *const *c, double alpha)
 {
     for (int i = 0; i < 2; i++)
         if (c[i]->ndirs != 1 || c[i]->ncoords > 3)
@@ -316,22 +467,19 @@ static ix_status check_input(ix_ctx *ctx, const ix_mv *const *c,
                            "operand %d has %d directions and %d coordinates: "
                            "a curve with at most 3 is needed",
                            i + 1, c[i]->ndirs, c[i]->ncoords);
-    if (o && (o->form == IX_FORM_NAIVE || o->form < IX_FORM_MINIMAL ||
-              o->form > IX_FORM_IRIT))
-        return IX_FAIL(ctx, IX_EUNABLE,
-                       "the bisector surface is not built in degree form %d",
-                       (int)o->form);
+    if (!isfinite(alpha))
+        return IX_FAIL(ctx, IX_EARG, "a ratio of %g", alpha);
     return IX_OK;
 }
 
-static ix_status run(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
+static ix_status run(ix_ctx *ctx, const ix_mv *const *c, const task *k,
                      ix_report *rep, ix_mv **out)
 {
     ix_mv *s;
     ix_status st;
 
-    IX_TRY(build(ctx, c, o, &s));
-    st = rep ? measure(ctx, c, s, o, rep) : IX_OK;
+    IX_TRY(build(ctx, c, k, &s));
+    st = rep ? measure(ctx, c, s, k, rep) : IX_OK;
     if (st != IX_OK) {
         ix_mv_unref(ctx, s);
         return st;
@@ -340,25 +488,34 @@ static ix_status run(ix_ctx *ctx, const ix_mv *const *c, const ix_op_opts *o,
     return IX_OK;
 }
 
-ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
-                         const ix_op_opts *o, ix_report *rep, ix_mv **out)
+ix_status ix_calphasector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                            double alpha, const ix_op_opts *o, ix_report *rep,
+                            ix_mv **out)
 {
     const ix_mv *c[2] = {c1, c2};
     ix_mv *space[2] = {NULL, NULL};
+    task k = {.alpha = alpha, .max_cont = o ? o->max_cont : INT_MAX};
     ix_mark mk = ix__scratch_mark(ctx);
     ix_status st;
 
     *out = NULL;
-    IX_TRY(check_input(ctx, c, o));
+    IX_TRY(check_input(ctx, c, alpha));
+    IX_TRY(ix__form_of_opts(ctx, o, &k.form));
     st = ix_mv_coerce(ctx, c1, 3, c1->rational, &space[0]);
     if (st == IX_OK)
         st = ix_mv_coerce(ctx, c2, 3, c2->rational, &space[1]);
     c[0] = space[0];
     c[1] = space[1];
     if (st == IX_OK)
-        st = run(ctx, c, o, rep, out);
+        st = run(ctx, c, &k, rep, out);
     ix_mv_unref(ctx, space[0]);
     ix_mv_unref(ctx, space[1]);
     ix__scratch_release(ctx, mk);
     return st;
+}
+
+ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                         const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    return ix_calphasector3d(ctx, c1, c2, 0.5, o, rep, out);
 }

@@ -132,7 +132,6 @@ CURVE(srf_evolute, ix_srf_evolute)
 enum {
     ALL = 15,
     NO_IRIT = 7,
-    NO_NAIVE = 11,
     NO_PUBLISHED = 13,
     ONLY_MINIMAL = 1
 };
@@ -153,7 +152,7 @@ const ix_op ix__ops[] = {
     {"NRMLSCROLL", {1, 0}, 2, NO_IRIT, normal},
     {"BINRMLSCROLL", {1, 0}, 2, NO_IRIT, binormal},
     {"RECTDEVSRF", {1, 0}, 2, NO_IRIT, rectifying},
-    {"CBISECTOR3D", {1, 1}, 0, NO_NAIVE, bisector3d},
+    {"CBISECTOR3D", {1, 1}, 0, ALL, bisector3d},
     {"CBISECTOR3DPT", {1, 0}, 3, ALL, point_planes},
     {"CBISECTOR3DPTDIR", {1, 0}, 3, ALL, point_directrix},
     {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},

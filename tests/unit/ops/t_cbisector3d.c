@@ -3,9 +3,10 @@
 #include <limits.h>
 #include <string.h>
 
+#include "geom/vec3.h"
 #include "harness/fault.h"
 #include "harness/test.h"
-#include "iritx/ops.h"
+#include "iritx/ops_bisect.h"
 
 static ix_mv *make_curve(ix_ctx *ctx, int order, int n, const double *knots,
                          bool rational, int nc, const double *pts)
@@ -325,11 +326,108 @@ static void degree_forms(void **state)
     assert_true(worst_gap(ctx, &r, s, f, 1) <= 1e-12);
     ix_mv_unref(ctx, f);
     o.form = IX_FORM_NAIVE;
-    assert_int_equal(ix_cbisector3d(ctx, a, b, &o, NULL, &f), IX_EUNABLE);
-    assert_null(f);
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, &o, NULL, &f));
+    assert_true(degree_of(f, 0) == 10 && degree_of(f, 1) == 16);
+    assert_true(worst_gap(ctx, &r, s, f, 1) <= 1e-12);
+    ix_mv_unref(ctx, f);
     ix_mv_unref(ctx, a);
     ix_mv_unref(ctx, b);
     ix_mv_unref(ctx, s);
+    ix_ctx_free(ctx);
+}
+
+/* --- sectors -------------------------------------------------------------- */
+
+/* Law: an alpha-sector lies in both normal planes and in the plane that divides
+ * C1 C2 in the ratio alpha; 1/2 is the bisector; the degrees are its own. */
+static void alpha_sectors(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(37);
+
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        bool ra = i & 1, rb = i & 2;
+        int da = 1 + i % 3 + ra, db = 2 + i % 2;
+        double alpha = ix_rng_range(&r, -1, 2), worst = 0;
+        ix_mv *a = rand_curve(ctx, &r, da, ra, 2, NULL, 1);
+        ix_mv *b = rand_curve(ctx, &r, db, rb, 0, NULL, 1), *s;
+        ix_report rep;
+
+        ASSERT_OK(ctx, ix_calphasector3d(ctx, a, b, alpha, NULL, &rep, &s));
+        assert_int_equal(degree_of(s, 0), ra ? 4 * da - 2 : 3 * da - 1);
+        assert_int_equal(degree_of(s, 1), rb ? 4 * db - 2 : 3 * db - 1);
+        assert_true(rep.residual <= 1e-10);
+        for (int j = 0; j < 9; j++) {
+            double dom[2], t[2], x[3], p[6], q[6], f[3], g[3], e[3], m[3], w[4];
+
+            ix_mv_domain(a, 0, dom);
+            t[0] = dom[0] + (dom[1] - dom[0]) * (j + 0.5) / 9;
+            t[1] = (0.3 + j) / 9;
+            ASSERT_OK(ctx, ix_mv_eval(ctx, s, t, w));
+            if (fabs(w[0]) < 1e-4 || ix_mv_point(ctx, s, t, x) != IX_OK)
+                continue;
+            ASSERT_OK(ctx, ix_mv_curve_derivs(ctx, a, t[0], 1, p));
+            ASSERT_OK(ctx, ix_mv_curve_derivs(ctx, b, t[1], 1, q));
+            ix__sub3(x, p, f);
+            ix__sub3(x, q, g);
+            ix__sub3(q, p, e);
+            ix__axpy3(f, -alpha, e, m);
+            worst = fmax(worst, fabs(ix__dot3(f, p + 3)) /
+                                    (ix__len3(p + 3) * (1 + ix__len3(f))));
+            worst = fmax(worst, fabs(ix__dot3(g, q + 3)) /
+                                    (ix__len3(q + 3) * (1 + ix__len3(g))));
+            worst = fmax(worst, fabs(ix__dot3(m, e)) /
+                                    (ix__len3(e) * (1 + ix__len3(m))));
+        }
+        if (!(worst <= 1e-10))
+            fail_msg("case %d, alpha %g: off by %g", i, alpha, worst);
+        ix_mv_unref(ctx, a);
+        ix_mv_unref(ctx, b);
+        ix_mv_unref(ctx, s);
+    }
+    ix_ctx_free(ctx);
+}
+
+/* Law: two canal surfaces of one radius have the bisector of their spines: a
+ * point at the distance h from both spines is h - r from both surfaces. A torus
+ * and a cylinder of radius 1/4. */
+static void canal_surfaces(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const double line[6] = {0.4, 0.2, 0.1, 0.3, -1, 1}, radius = 0.25;
+    const double zero[3] = {0, 0, 0};
+    ix_mv *axis = make_curve(ctx, 2, 2, NULL, false, 3, line), *spine, *s;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_circle(ctx, zero, 2.0, &spine));
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, axis, spine, NULL, NULL, &s));
+    for (int i = 0; i < 9; i++) {
+        double t[2] = {(i + 0.5) / 9, (i * 5 % 9 + 0.3) / 2.5}, x[3], p[3],
+               q[3];
+        double torus, cylinder, u[3], v[3];
+
+        if (ix_mv_point(ctx, s, t, x) != IX_OK)
+            continue;
+        ASSERT_OK(ctx, ix_mv_point(ctx, axis, t, p));
+        ASSERT_OK(ctx, ix_mv_point(ctx, spine, t + 1, q));
+        /* implicit distances: sqrt((rho - 2)^2 + z^2) - r at the foot's side */
+        ix__sub3(x, q, u);
+        torus = ix__len3(u) - radius;
+        v[0] = (x[0] * q[0] + x[1] * q[1]) / 2 - 2;
+        assert_true(fabs(hypot(v[0], x[2]) - radius - torus) <=
+                    1e-10 * (1 + torus));
+        for (int k = 0; k < 3; k++)
+            u[k] = line[2 * k + 1] - line[2 * k];
+        (void)ix__unit3(u, u);
+        ix__sub3(x, p, v);
+        ix__axpy3(v, -ix__dot3(v, u), u, v);
+        cylinder = ix__len3(v) - radius;
+        assert_true(fabs(torus - cylinder) <= 1e-10 * (1 + torus));
+    }
+    ix_mv_unref(ctx, s);
+    ix_mv_unref(ctx, axis);
+    ix_mv_unref(ctx, spine);
     ix_ctx_free(ctx);
 }
 
@@ -453,6 +551,8 @@ int main(void)
         cmocka_unit_test(skew_lines),
         cmocka_unit_test(reference_points),
         cmocka_unit_test(degree_forms),
+        cmocka_unit_test(alpha_sectors),
+        cmocka_unit_test(canal_surfaces),
         cmocka_unit_test(degenerate_input),
         cmocka_unit_test(memory_may_fail),
     };
