@@ -123,6 +123,27 @@ ix_status ix_calphasector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                             double alpha, const ix_op_opts *o, ix_report *rep,
                             ix_mv **out) IX_MUST_CHECK;
 
+/* The bisector of a surface and a point Q.
+ *
+ *   B(u, v) = S + lambda n, |B - S| = |B - Q|, n normal to the surface
+ *
+ * In    srf   2 or 3 coordinates, any basis but powers
+ *       q     double[3]
+ *       o     degree in a direction of degree d: 4d-1 / 5d-2, naive and irit
+ *             4d-1 / 8d (published: minimal)
+ * Out   *out  P3 over the domain of srf; weights add up to a positive number.
+ *             The weight is zero where the tangent plane passes through Q (a
+ *             pole) and where there is no normal
+ *       rep   residual: equal distances along the normal on a 5 x 5 grid,
+ *             relative; poles are left out
+ * Err   IX_EARG    not a surface of 2 or 3 coordinates; q not finite
+ *       IX_EDOMAIN the normal vanishes identically; all tangent planes pass
+ *                  through Q: a plane through it, a cone with that apex
+ * Src   IRIT's SBISECTOR; the degree by minors of (P, P_u, P_v) */
+ix_status ix_pt_srf_bisector(ix_ctx *ctx, const ix_mv *srf, const double q[3],
+                             const ix_op_opts *o, ix_report *rep,
+                             ix_mv **out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

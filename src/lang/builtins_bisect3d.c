@@ -152,6 +152,20 @@ static ix_status calphasector(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+/* --- surfaces --------------------------------------------------------------
+ */
+
+static ix_status sbisector(ix_call *c)
+{
+    ix_op_opts o = ix__op_opts(c);
+    double q[3];
+    ix_mv *out;
+
+    IX_TRY(ix__arg_pt3(c, 1, q));
+    IX_TRY(ix_pt_srf_bisector(c->ctx, ix__arg_mv(c, 0), q, &o, NULL, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
 /* --- table -----------------------------------------------------------------
  */
 
@@ -173,4 +187,10 @@ const ix_builtin ix__builtins_bisect3d[] = {
      "in the ratio alpha, 0 at the first curve, 1 at the second; of a curve "
      "and a point 0 at the curve. Two coordinates and a point: a curve.",
      PAIR "s = calphasector(list(a, b), 0.25);", calphasector, 0, 21},
+    {"SBISECTOR", "s:surface p:pt3 -> surface",
+     "Exact rational bisector of a surface and a point: on the normal at (u, "
+     "v) the point as far from p as from the surface.",
+     "s = sbezier(list(list(point(0,0,0), point(1,0,1)), list(point(0,1,1), "
+     "point(1,1,0)))); b = sbisector(s, point(1, 1, 5));",
+     sbisector, 0, 21},
     {0}};

@@ -274,7 +274,7 @@ static int wanted_degree(ix_degree_form form, bool rational, int d, int minimal)
 
 /* |p|^2 D and w p_k D_j, with w^2 D = the minors x1 y1 z1. */
 static ix_status sector_rows(ix_ctx *ctx, const ix_form *f, bool rational,
-                             ix_form *out)
+                             bool formal, ix_form *out)
 {
     ix_form p = ix__form_rows(f, rational, 3), w, d, pp, wp, part[4];
     const ix_form *list[4] = {&part[0], &part[1], &part[2], &part[3]};
@@ -282,7 +282,7 @@ static ix_status sector_rows(ix_ctx *ctx, const ix_form *f, bool rational,
     if (rational) {
         w = ix__form_rows(f, 0, 1);
         IX_TRY(ix__form_jacobian(ctx, &p, &w, 0, &d));
-        ix__form_times(&d, 2.0);
+        ix__form_times(&d, formal ? -1.0 / f->dirs[0].degree : 2.0);
         IX_TRY(ix__form_mul(ctx, &p, &w, &wp));
     } else {
         IX_TRY(ix__form_derive(ctx, &p, 0, &d));
@@ -299,25 +299,33 @@ static ix_status sector_rows(ix_ctx *ctx, const ix_form *f, bool rational,
     return ix__form_join(ctx, 4, list, out);
 }
 
-/* The factors of the surface in one curve. The naive form leaves a factor w^2
- * in them that fractions do not lose. */
+/* The factors of the surface in one curve. Published and IRIT's forms have the
+ * tangent in its formal degree, the latter each row over one denominator (a
+ * factor w); the naive one leaves a factor w^2 that determinants of fractions
+ * over their own denominators do not lose. */
 static ix_status load_factors(ix_ctx *ctx, const ix_form *f, bool rational,
                               const task *k, ix_form *out)
 {
-    ix_form minors, more, w;
+    bool formal = rational &&
+                  (k->form == IX_FORM_PUBLISHED || k->form == IX_FORM_IRIT);
+    int factors = k->form == IX_FORM_NAIVE  ? 2
+                  : k->form == IX_FORM_IRIT ? 1
+                                            : 0;
+    ix_form minors, more, w = ix__form_rows(f, 0, 1);
     const ix_form *parts[2] = {&minors, &more};
 
-    IX_TRY(ix__lift_tangents(ctx, f, rational, &minors));
+    if (formal)
+        IX_TRY(ix__lift_formal(ctx, f, &minors));
+    else
+        IX_TRY(ix__lift_tangents(ctx, f, rational, &minors));
     *out = minors;
     if (k->alpha != 0.5) {
-        IX_TRY(sector_rows(ctx, f, rational, &more));
+        IX_TRY(sector_rows(ctx, f, rational, formal, &more));
         IX_TRY(ix__form_join(ctx, 2, parts, out));
     }
-    if (!rational || k->form != IX_FORM_NAIVE)
-        return IX_OK;
-    w = ix__form_rows(f, 0, 1);
-    IX_TRY(ix__form_mul(ctx, out, &w, out));
-    return ix__form_mul(ctx, out, &w, out);
+    for (int i = 0; rational && i < factors; i++)
+        IX_TRY(ix__form_mul(ctx, out, &w, out));
+    return IX_OK;
 }
 
 static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,

@@ -26,16 +26,14 @@ int ix__lift_minor(int i, int j, int *sign)
     return i == 3 ? 9 : (j == 3 ? 3 : 6) + i;
 }
 
-/* Minors of L_U and L_V, group by group of columns. */
-static ix_status rational_tangents(ix_ctx *ctx, const ix_form *f, ix_form *out)
+/* Minors of two rows of five columns, group by group of columns. */
+static ix_status minors_of(ix_ctx *ctx, const ix_form uv[2], ix_form *out)
 {
-    ix_form lift, uv[2], x[2], one[2], q[2], part[4];
+    ix_form x[2], one[2], q[2], part[4];
     const ix_form *const px[2] = {&x[0], &x[1]}, *const pq[2] = {&q[0], &q[1]};
     const ix_form *const p1[2] = {&one[0], &one[1]};
     const ix_form *list[4] = {&part[0], &part[1], &part[2], &part[3]};
 
-    IX_TRY(ix__lift(ctx, f, true, &lift));
-    IX_TRY(ix__form_partials(ctx, &lift, 0, 1, uv));
     for (int i = 0; i < 2; i++) {
         x[i] = ix__form_rows(&uv[i], 0, 3);
         one[i] = ix__form_rows(&uv[i], 3, 1);
@@ -46,6 +44,25 @@ static ix_status rational_tangents(ix_ctx *ctx, const ix_form *f, ix_form *out)
     IX_TRY(ix__form_bracket(ctx, px, pq, &part[2]));
     IX_TRY(ix__form_bracket(ctx, p1, pq, &part[3]));
     return ix__form_join(ctx, 4, list, out);
+}
+
+static ix_status rational_tangents(ix_ctx *ctx, const ix_form *f, ix_form *out)
+{
+    ix_form lift, uv[2];
+
+    IX_TRY(ix__lift(ctx, f, true, &lift));
+    IX_TRY(ix__form_partials(ctx, &lift, 0, 1, uv));
+    return minors_of(ctx, uv, out);
+}
+
+ix_status ix__lift_formal(ix_ctx *ctx, const ix_form *f, ix_form *out)
+{
+    ix_form rows[2];
+
+    IX_TRY(ix__lift(ctx, f, true, &rows[0]));
+    IX_TRY(ix__form_derive(ctx, &rows[0], 0, &rows[1]));
+    ix__form_times(&rows[1], ix__spans_mean(&f->dirs[0]));
+    return minors_of(ctx, rows, out);
 }
 
 /* Minors of (p, 1, q) and (p', 0, q') with q = |p|^2, q' = 2 p.p'. */

@@ -21,6 +21,12 @@ ix_status ix__lift(ix_ctx *ctx, const ix_form *f, bool rational,
 ix_status ix__lift_tangents(ix_ctx *ctx, const ix_form *f, bool rational,
                             ix_form *out) IX_MUST_CHECK;
 
+/* Of a rational curve those of L and h0 L', in their formal degree 4d - 1: the
+ * minors above (times -1 / 2d) before their leading terms are seen to cancel.
+ */
+ix_status ix__lift_formal(ix_ctx *ctx, const ix_form *f,
+                          ix_form *out) IX_MUST_CHECK;
+
 /* The minor on columns i < j of (x, y, z, 1, q): its row among yz zx xy x1 y1
  * z1 xq yq zq 1q, and the sign that it has there. */
 int ix__lift_minor(int i, int j, int *sign);

@@ -1,8 +1,8 @@
 /* pt_crv_bisector.c - the untrimmed bisector of a point and a planar curve.
  *
- * Two linear equations for B - Q (pt_crv.h) solved by minors. All degree forms
- * are this solution; they differ in what stands for the tangent, and in
- * factors of w that are left in. */
+ * Two linear equations for B - Q (pt_crv.h) solved by minors. The degree forms
+ * differ in what stands for the tangent, and in factors of w that are left in.
+ */
 #include <limits.h>
 
 #include "iritx/ops_bisect.h"
@@ -50,8 +50,10 @@ static ix_status published(ix_ctx *ctx, const ix_pt_crv *c, fraction *out)
 }
 
 /* Cramer's rule on fractions, the elements of a row over one denominator:
- * x'.b = x'.y, y.b = (1 - alpha) |y|^2 with y = x - Q. */
-static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, fraction *out)
+ * x'.b = x'.y, y.b = (1 - alpha) |y|^2 with y = x - Q. IRIT has the determinant
+ * of the same rows below, so that the denominators cancel. */
+static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, bool irit,
+                       fraction *out)
 {
     ix_frac y = {c->r, c->c.w, c->c.rational}, d, rows[2], right[2], det, b;
     ix_form s, t;
@@ -70,19 +72,12 @@ static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, fraction *out)
     IX_TRY(ix__form_turned(ctx, &right[0].x, &rows[1].x, &t));
     IX_TRY(ix__frac_weights(ctx, &right[0], &right[1], &b));
     IX_TRY(ix__form_add(ctx, &s, -1, &t, &b.x));
-    IX_TRY(ix__ratio_over(ctx, &b, &det, &b));
+    if (irit)
+        IX_TRY(ix__form_det2(ctx, &rows[0].x, &rows[1].x, &b.w));
+    else
+        IX_TRY(ix__ratio_over(ctx, &b, &det, &b));
     out->w = b.w;
     return from_point(ctx, c, &b.x, out);
-}
-
-/* To the degree that IRIT gives rational input. */
-static ix_status irit(ix_ctx *ctx, const ix_pt_crv *c, fraction *out)
-{
-    int degree = 5 * c->c.degree;
-
-    IX_TRY(solved(ctx, c, &c->c.d, out));
-    return c->c.rational ? ix__form_elevate(ctx, &out->x, &degree, &out->x)
-                         : IX_OK;
 }
 
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, const double q[2],
@@ -98,10 +93,8 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, const double q[2],
         IX_TRY(solved(ctx, &c, &c.c.d, &f));
     else if (o->form == IX_FORM_PUBLISHED)
         IX_TRY(published(ctx, &c, &f));
-    else if (o->form == IX_FORM_NAIVE)
-        IX_TRY(naive(ctx, &c, &f));
     else
-        IX_TRY(irit(ctx, &c, &f));
+        IX_TRY(naive(ctx, &c, o->form == IX_FORM_IRIT, &f));
     rule.max_cont = o->max_cont; /* IRIT keeps continuity here */
     return ix__curve_store(ctx, &c.c, &f.w, &f.x, 2, rule, out);
 }

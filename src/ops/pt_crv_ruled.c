@@ -189,43 +189,64 @@ static ix_status published_directrix(ix_ctx *ctx, const ix_pt_crv *c,
     return sum(ctx, &base, &ruling, out);
 }
 
-/* Cramer's rule on fractions, the elements of a row over one denominator. */
+/* Cramer's rule on fractions, the elements of a row over one denominator. The
+ * rows are x', y = x - Q and E = y x x', whose right side is 0. */
+typedef struct {
+    ix_frac y, d, e, yd, yy;
+    ix_form yw, dw; /* numerators over the denominators of yy and yd */
+} fractions;
+
+static ix_status fractions_of(ix_ctx *ctx, const ix_pt_crv *c, fractions *f)
+{
+    f->y = (ix_frac){c->r, c->c.w, c->c.rational};
+    IX_TRY(ix__ratio_derive(ctx, &f->y, &f->d));
+    IX_TRY(ix__ratio_product(ctx, ix__form_cross, &f->y, &f->d, &f->e));
+    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &f->d, &f->y, &f->yd));
+    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &f->y, &f->y, &f->yy));
+    IX_TRY(ix__form_mul(ctx, &f->d.x, &c->c.w, &f->dw));
+    return ix__form_mul(ctx, &f->y.x, &c->c.w, &f->yw);
+}
+
+/* Over the determinant |E|^2 of the fractions themselves. */
 static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, ruled *out)
 {
-    ix_frac y = {c->r, c->c.w, c->c.rational}, d, e, det, yd, yy, b;
-    ix_form dw, yw;
+    ix_frac det, b;
+    fractions f;
     ruled base;
 
-    IX_TRY(ix__ratio_derive(ctx, &y, &d));
-    IX_TRY(ix__ratio_product(ctx, ix__form_cross, &y, &d, &e));
-    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &e, &e, &det));
-    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &d, &y, &yd));
-    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &y, &y, &yy));
-    IX_TRY(ix__form_mul(ctx, &d.x, &c->c.w, &dw));
-    IX_TRY(ix__form_mul(ctx, &y.x, &c->c.w, &yw));
-    IX_TRY(two_crosses(ctx, &yd.x, &yw, &e.x, &c->rr, &dw, &b.x));
-    ix__form_times(&b.x, -1.0); /* e is y x x' */
-    IX_TRY(ix__frac_weights(ctx, &yd, &yy, &b));
-    IX_TRY(ix__frac_weights(ctx, &b, &e, &b));
+    IX_TRY(fractions_of(ctx, c, &f));
+    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &f.e, &f.e, &det));
+    IX_TRY(two_crosses(ctx, &f.yd.x, &f.yw, &f.e.x, &c->rr, &f.dw, &b.x));
+    ix__form_times(&b.x, -1.0);
+    IX_TRY(ix__frac_weights(ctx, &f.yd, &f.yy, &b));
+    IX_TRY(ix__frac_weights(ctx, &b, &f.e, &b));
     IX_TRY(ix__ratio_over(ctx, &b, &det, &b));
     base.w = b.w;
     IX_TRY(from_point(ctx, c, &b.x, &base));
     out->exp = c->c.frame.exp;
-    return sum(ctx, &base, &e, out);
+    return sum(ctx, &base, &f.e, out);
+}
+
+/* Over the determinant of the same rows: the denominators cancel. The right
+ * side of E, E.x for IRIT, has one more. */
+static ix_status irit(ix_ctx *ctx, const ix_pt_crv *c, ruled *out)
+{
+    ix_form ew, b, cross;
+    fractions f;
+    ruled base;
+
+    IX_TRY(fractions_of(ctx, c, &f));
+    IX_TRY(ix__form_mul(ctx, &f.e.x, &c->c.w, &ew));
+    IX_TRY(two_crosses(ctx, &f.yd.x, &f.yw, &ew, &c->rr, &f.dw, &b));
+    IX_TRY(ix__form_cross(ctx, &f.yw, &ew, &cross));
+    IX_TRY(ix__form_dot(ctx, &f.dw, &cross, &base.w));
+    IX_TRY(from_point(ctx, c, &b, &base));
+    out->exp = c->c.frame.exp;
+    return sum(ctx, &base, &f.e, out);
 }
 
 /* --- all forms -------------------------------------------------------------
  */
-
-/* To the degree that IRIT gives. */
-static ix_status irit(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *ruling,
-                      ruled *out)
-{
-    int d = c->c.degree, degree = c->c.rational ? 12 * d : 7 * d - 3;
-
-    IX_TRY(minimal_directrix(ctx, c, ruling, out));
-    return ix__form_elevate(ctx, &out->x, &degree, &out->x);
-}
 
 static void fit_range(const ix_pt_crv *c, ix_ruling *r)
 {
@@ -254,7 +275,7 @@ static ix_status solved(ix_ctx *ctx, const ix_pt_crv *c, ix_degree_form form,
     if (form == IX_FORM_NAIVE)
         return naive(ctx, c, out);
     if (form == IX_FORM_IRIT)
-        return irit(ctx, c, ruling, out);
+        return irit(ctx, c, out);
     if (r->kind == IX_RULING_PLANES)
         return form == IX_FORM_MINIMAL
                    ? minimal_planes(ctx, c, ruling, r->normal, out)

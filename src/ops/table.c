@@ -71,6 +71,13 @@ static ix_status point_directrix(ix_ctx *ctx, const ix_op_args *a,
     return ix_pt_crv_bisector3d(ctx, a->mv[0], a->num, 0.5, &r, o, rep, out);
 }
 
+static ix_status surface_bisector(ix_ctx *ctx, const ix_op_args *a,
+                                  const ix_op_opts *o, ix_report *rep,
+                                  ix_mv **out)
+{
+    return ix_pt_srf_bisector(ctx, a->mv[0], a->num, o, rep, out);
+}
+
 static ix_status gauss(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o,
                        ix_report *rep, ix_mv **out)
 {
@@ -129,12 +136,7 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_op_args *a,
 
 CURVE(srf_evolute, ix_srf_evolute)
 
-enum {
-    ALL = 15,
-    NO_IRIT = 7,
-    NO_PUBLISHED = 13,
-    ONLY_MINIMAL = 1
-};
+enum { ALL = 15, NO_IRIT = 7, NO_PUBLISHED = 13, ONLY_MINIMAL = 1 };
 
 /* Fields have the names of the functions that look for their zeros; the
  * number is the op of these functions, told by two names. */
@@ -155,6 +157,7 @@ const ix_op ix__ops[] = {
     {"CBISECTOR3D", {1, 1}, 0, ALL, bisector3d},
     {"CBISECTOR3DPT", {1, 0}, 3, ALL, point_planes},
     {"CBISECTOR3DPTDIR", {1, 0}, 3, ALL, point_directrix},
+    {"SBISECTOR", {2, 0}, 3, NO_PUBLISHED, surface_bisector},
     {"PTCRVBISECT", {1, 0}, 2, ALL, point_bisector},
     {"SGAUSS", {2, 0}, 0, NO_PUBLISHED, gauss},
     {"SGAUSSNUM", {2, 0}, 0, NO_PUBLISHED, gauss_numerator},

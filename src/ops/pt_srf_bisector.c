@@ -1,0 +1,171 @@
+/* pt_srf_bisector.c - the bisector of a point and a surface.
+ *
+ * With Q as the origin, S = p / w and the tangent plane m.X + c = 0 of S, c w =
+ * -m.p: the point S + lambda m of the normal has the distance |S + lambda m|
+ * from Q and |lambda m| from S, so that lambda = |p|^2 / (2 w^2 c) and
+ *
+ *   B = (2 w c p + |p|^2 m) / (2 w^2 c).
+ *
+ * The forms naive and IRIT solve S_u.B = S_u.S, S_v.B = S_v.S, S.B = |S|^2 / 2
+ * by Cramer's rule on fractions instead, each row over one denominator. */
+#include "geom/vec3.h"
+#include "iritx/ops_bisect.h"
+#include "ops/report.h"
+#include "ops/srf_naive.h"
+
+/* c is zero where the tangent plane passes through Q. */
+static ix_status check_planes(ix_ctx *ctx, const ix_surface *s,
+                              const ix_form *c)
+{
+    double at_q, m, p;
+
+    IX_TRY(ix__form_bound(ctx, c, &at_q));
+    IX_TRY(ix__form_bound(ctx, &s->m, &m));
+    IX_TRY(ix__form_bound(ctx, &s->p, &p));
+    if (at_q > s->band * m * p)
+        return IX_OK;
+    return IX_FAIL(ctx, IX_EDOMAIN,
+                   "all tangent planes pass through the point (within %.3g of "
+                   "the size of both): a plane, or a cone with its apex there",
+                   at_q / (m * p));
+}
+
+static ix_status minimal(ix_ctx *ctx, const ix_surface *s, const ix_form *c,
+                         ix_form *x, ix_form *den)
+{
+    ix_form y, pp;
+
+    IX_TRY(ix__form_mul(ctx, c, &s->w, den));
+    ix__form_times(den, 2.0);
+    IX_TRY(ix__form_mul(ctx, &s->p, den, x));
+    IX_TRY(ix__form_dot(ctx, &s->p, &s->p, &pp));
+    IX_TRY(ix__form_mul(ctx, &s->m, &pp, &y));
+    IX_TRY(ix__form_add(ctx, x, 1, &y, x));
+    return ix__form_mul(ctx, den, &s->w, den);
+}
+
+/* Rows S_u, S_v, S times w, so that their right sides have the same weights. */
+static ix_status cramer(ix_ctx *ctx, const ix_surface *s, ix_form *x,
+                        ix_form *den)
+{
+    ix_frac d, f = {s->p, s->w, s->rational};
+    ix_form row[3] = {{0}}, right[3], cross, term;
+
+    for (int i = 0; i < 3; i++) {
+        d = f;
+        if (i < 2)
+            IX_TRY(ix__ratio_partial(ctx, &f, i, &d));
+        IX_TRY(ix__form_dot(ctx, &d.x, &s->p, &right[i]));
+        row[i] = d.x;
+        if (s->rational)
+            IX_TRY(ix__form_mul(ctx, &d.x, &s->w, &row[i]));
+    }
+    ix__form_times(&right[2], 0.5);
+    for (int i = 0; i < 3; i++) {
+        IX_TRY(
+            ix__form_cross(ctx, &row[(i + 1) % 3], &row[(i + 2) % 3], &cross));
+        IX_TRY(ix__form_mul(ctx, &cross, &right[i], &term));
+        if (i == 0) {
+            IX_TRY(ix__form_dot(ctx, &row[0], &cross, den));
+            *x = term;
+        } else {
+            IX_TRY(ix__form_add(ctx, x, 1, &term, x));
+        }
+    }
+    return IX_OK;
+}
+
+static ix_status build(ix_ctx *ctx, const ix_mv *srf, const double q[3],
+                       const ix_op_opts *o, ix_mv **out)
+{
+    ix_surface s;
+    ix_form c, x, den;
+    ix__field f = {&den, &x, 0, &s.frame};
+
+    IX_TRY(ix__surface_load(ctx, srf, q, &s));
+    c = ix__form_rows(&s.plane, 3, 1);
+    IX_TRY(check_planes(ctx, &s, &c));
+    if (ix__naive_wanted(o))
+        IX_TRY(cramer(ctx, &s, &x, &den));
+    else
+        IX_TRY(minimal(ctx, &s, &c, &x, &den));
+    return ix__field_store(ctx, &f, o, out);
+}
+
+/* --- the report ------------------------------------------------------------
+ */
+
+enum { GRID = 5 };
+
+/* Distances from Q and from the foot, and the sine between B - S and n. */
+static ix_status residual_at(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
+                             const double q[3], const double t[2],
+                             double *worst)
+{
+    double x[3], f[3], e[3], r, size;
+    ix_srf_jet j;
+    ix_status st = ix__srf_jet(ctx, srf, t[0], t[1], &j);
+
+    if (st == IX_OK)
+        st = ix_mv_point(ctx, b, t, x);
+    if (st == IX_EDOMAIN)
+        return IX_OK;
+    IX_TRY(st);
+    ix__sub3(x, j.s, f);
+    r = ix__dist3(x, q);
+    size = fmax(r, ix__dist3(j.s, q));
+    if (!(r <= 1e6 * (ix__dist3(j.s, q) + ix__len3(j.s)))) /* a pole */
+        return IX_OK;
+    ix__cross3(f, j.n, e);
+    *worst = fmax(*worst, fabs(r - ix__len3(f)) / size);
+    *worst = fmax(*worst, ix__len3(e) / (size * ix__len3(j.n)));
+    return IX_OK;
+}
+
+static ix_status measure(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
+                         const double q[3], ix_report *rep)
+{
+    double dom[2][2];
+
+    rep->residual = 0.0;
+    rep->how = "equal distances along the normal on a 5 x 5 grid, relative";
+    for (int i = 0; i < 2; i++)
+        ix_mv_domain(srf, i, dom[i]);
+    for (int i = 0; i < GRID * GRID; i++) {
+        double t[2] = {
+            dom[0][0] + (dom[0][1] - dom[0][0]) * (i % GRID + 0.5) / GRID,
+            dom[1][0] + (dom[1][1] - dom[1][0]) * (i / GRID + 0.5) / GRID};
+
+        IX_TRY(residual_at(ctx, srf, b, q, t, &rep->residual));
+    }
+    return IX_OK;
+}
+
+static ix_status run(ix_ctx *ctx, const ix_mv *srf, const double q[3],
+                     const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    ix_degree_form form;
+    ix_status st;
+    ix_mv *b;
+
+    for (int k = 0; k < 3; k++)
+        if (!isfinite(q[k]))
+            return IX_FAIL(ctx, IX_EARG, "coordinate %d of the point is %g",
+                           k + 1, q[k]);
+    IX_TRY(ix__form_of_opts(ctx, o, &form));
+    IX_TRY(build(ctx, srf, q, o, &b));
+    ix__report_init(rep, form, b);
+    st = rep ? measure(ctx, srf, b, q, rep) : IX_OK;
+    if (st == IX_OK)
+        *out = b;
+    else
+        ix_mv_unref(ctx, b);
+    return st;
+}
+
+ix_status ix_pt_srf_bisector(ix_ctx *ctx, const ix_mv *srf, const double q[3],
+                             const ix_op_opts *o, ix_report *rep, ix_mv **out)
+{
+    *out = NULL;
+    IX_RETURN_SCOPED(ctx, run(ctx, srf, q, o, rep, out));
+}
