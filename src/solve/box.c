@@ -20,7 +20,7 @@ void ix__box_measure(const ix__task *t, ix__box *b)
         double lo, hi;
 
         ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
-        b->mag[i] = fmax(-lo, hi);
+        b->mag[i] = ix__larger(-lo, hi);
     }
 }
 
@@ -32,7 +32,7 @@ bool ix__box_signs_allow(const ix__task *t, ix__box *b)
         ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
         if (hi < -b->err[i] || (i < t->neq && lo > b->err[i]))
             return false;
-        b->mag[i] = fmax(-lo, hi);
+        b->mag[i] = ix__larger(-lo, hi);
     }
     return true;
 }
@@ -58,7 +58,7 @@ void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e)
 
 double ix__box_drift(const ix__task *t, const ix__box *b, int j)
 {
-    double x = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
+    double x = ix__larger(fabs(b->lo[j]), fabs(b->hi[j]));
 
     return UNIT * ((b->cuts + 4) * x + 12 * t->edge[j]);
 }
@@ -93,7 +93,7 @@ void ix__box_refresh(const ix__task *t, const ix__box *patch, ix__box *b)
         double a = (old.lo[j] - drift - patch->lo[j]) / w;
         double e = (old.hi[j] + drift - patch->lo[j]) / w;
 
-        ix__box_cut(t, b, j, fmax(a, 0), fmin(e, 1));
+        ix__box_cut(t, b, j, ix__larger(a, 0), ix__smaller(e, 1));
     }
     b->fresh = b->cuts;
 }

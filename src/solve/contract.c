@@ -27,7 +27,7 @@ static double row_bound(int n, const double *w, ix__mat low, ix__mat high,
             c -= p > q ? q : p;
             err += fabs(w[k]) * slack[k][j];
         }
-        d[j] = (fmax(fabs(a), fabs(c)) + err) * (1 + 4 * UNIT);
+        d[j] = (ix__larger(fabs(a), fabs(c)) + err) * (1 + 4 * UNIT);
         row += d[j];
     }
     return row;
@@ -45,9 +45,10 @@ double ix__contraction(const ix__shape *s, int n, const int *dir,
             ix__tensor_slope_range(s, f + (size_t)k * s->size, dir[j],
                                    &low[k][j], &high[k][j]);
             slack[k][j] = 2 * (s->dims[dir[j]] - 1) * (err[k] + UNIT * mag[k]) +
-                          (n + 3) * UNIT * fmax(-low[k][j], high[k][j]);
+                          (n + 3) * UNIT * ix__larger(-low[k][j], high[k][j]);
         }
     for (int i = 0; i < n; i++)
-        worst = fmax(worst, row_bound(n, m[i], low, high, slack, i, d[i]));
+        worst = ix__larger(worst,
+                           row_bound(n, m[i], low, high, slack, i, d[i]));
     return worst * (1 + IX_MAX_UNKNOWNS * UNIT);
 }

@@ -165,5 +165,5 @@ void ix__second_order(int n, const ix__combined *g, int weak, ix__mat grad,
     /* products and sums, 3 roundings in each elevation, the n + 1 terms */
     out->err += (6 * n + 4) * UNIT * out->mag;
     ix__tensor_range(&out->shape, out->c, &lo, &hi);
-    out->mag = fmax(-lo, hi);
+    out->mag = ix__larger(-lo, hi);
 }

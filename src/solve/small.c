@@ -46,13 +46,36 @@ static void eliminate(int n, ix__mat a, ix__mat inv, int c)
     }
 }
 
+/* The same in closed form for two rows: with rows scaled to size 1, the pivots
+ * are the larger entry of the first column and the determinant over it. */
+static bool invert_two(ix__mat a, ix__mat inv)
+{
+    double m0 = fmax(fabs(a[0][0]), fabs(a[0][1]));
+    double m1 = fmax(fabs(a[1][0]), fabs(a[1][1])), p, det, d;
+
+    if (!(m0 > 0 && m1 > 0))
+        return false;
+    det = a[0][0] / m0 * (a[1][1] / m1) - a[0][1] / m0 * (a[1][0] / m1);
+    p = fmax(fabs(a[0][0] / m0), fabs(a[1][0] / m1));
+    d = fabs(det) / p;
+    if (!(fmin(p, d) > SINGULAR * fmax(p, d)))
+        return false;
+    inv[0][0] = a[1][1] / m1 / det / m0;
+    inv[0][1] = -a[0][1] / m0 / det / m1;
+    inv[1][0] = -a[1][0] / m1 / det / m0;
+    inv[1][1] = a[0][0] / m0 / det / m1;
+    return true;
+}
+
 bool ix__small_invert(int n, ix__mat a, ix__mat inv)
 {
     double largest = 0, smallest = HUGE_VAL;
     ix__mat w;
 
-    memcpy(w, a, sizeof w);
-    memset(inv, 0, sizeof(ix__mat));
+    if (n == 2)
+        return invert_two(a, inv);
+    memcpy(w, a, (size_t)n * sizeof *w);
+    memset(inv, 0, (size_t)n * sizeof *w);
     for (int i = 0; i < n; i++) {
         double m = 0;
 

@@ -69,12 +69,12 @@ static void combine(search *q, const ix__box *b, ix__mat m)
 /* Widens [*a, *e] within [0, 1] to at least `least`, or THIN. */
 static void keep_room(double *a, double *e, double least)
 {
-    double c = 0.5 * (*a + *e), half = 0.5 * fmax(least, THIN);
+    double c = 0.5 * (*a + *e), half = 0.5 * ix__larger(least, THIN);
 
     if (*e - *a >= 2 * half)
         return;
-    *a = fmax(0, c - half);
-    *e = fmin(1, c + half);
+    *a = ix__larger(0, c - half);
+    *e = ix__smaller(1, c + half);
 }
 
 /* Cuts the part [a, e] of the box that is left, where that is worth it. */
@@ -84,7 +84,8 @@ static void cut_down(const ix__system *s, ix__box *b, double *a, double *e,
     double longest = 0;
 
     for (int j = 0; j < s->n; j++)
-        longest = fmax(longest, (e[j] - a[j]) * ix__box_part(&s->t, b, j));
+        longest = ix__larger(longest,
+                             (e[j] - a[j]) * ix__box_part(&s->t, b, j));
     *shrunk = false;
     for (int j = 0; j < s->n; j++) {
         keep_room(a + j, e + j, THIN * longest / ix__box_part(&s->t, b, j));
@@ -113,8 +114,8 @@ static bool reduce(search *q, ix__box *b, int ng, const ix__combined *g,
                 continue;
             if (!ix__tensor_clip(&g[i].shape, g[i].c, g[i].err, j, &x, &y))
                 return false;
-            a[j] = fmax(a[j], x);
-            e[j] = fmin(e[j], y);
+            a[j] = ix__larger(a[j], x);
+            e[j] = ix__smaller(e[j], y);
         }
     for (int j = 0; j < s->n; j++)
         if (a[j] > e[j])
@@ -157,7 +158,7 @@ static double largest_abs(const double *v, int n)
     double m = 0;
 
     for (int i = 0; i < n; i++)
-        m = fmax(m, fabs(v[i]));
+        m = ix__larger(m, fabs(v[i]));
     return m;
 }
 
@@ -228,7 +229,7 @@ static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
         for (int j = 0; j < s->n; j++)
             ix__tensor_restrict(s, f, j, -MARGIN, 1 + MARGIN);
         ix__tensor_range(s, f, &lo, &hi);
-        mag[k] = fmax(fmax(-lo, hi), b->mag[k]);
+        mag[k] = ix__larger(ix__larger(-lo, hi), b->mag[k]);
         ferr[k] = (b->err[k] + layers * UNIT * mag[k]) * grow;
     }
 }
@@ -279,13 +280,13 @@ static bool in_box(const ix__system *s, const ix__box *b, double *y,
                    const double *radius)
 {
     for (int j = 0; j < s->n; j++) {
-        double ends = fmax(fabs(b->lo[j]), fabs(b->hi[j]));
+        double ends = ix__larger(fabs(b->lo[j]), fabs(b->hi[j]));
         double slack = radius[j] +
                        4 * UNIT * (1 + ends / (b->hi[j] - b->lo[j]));
 
         if (!(y[j] >= -slack && y[j] <= 1 + slack))
             return false;
-        y[j] = fmin(fmax(y[j], 0), 1);
+        y[j] = ix__smaller(ix__larger(y[j], 0), 1);
     }
     return true;
 }
@@ -303,7 +304,8 @@ static void enclose(int n, const double *rest, ix__mat d, double ball,
 
             for (int j = 0; j < n; j++)
                 e += d[i][j] * radius[j];
-            radius[i] = fmin(radius[i], e * (1 + 2 * IX_MAX_UNKNOWNS * UNIT));
+            radius[i] = ix__smaller(radius[i],
+                                    e * (1 + 2 * IX_MAX_UNKNOWNS * UNIT));
         }
 }
 
@@ -320,14 +322,14 @@ static void improve_rest(search *q, const ix__box *b, ix__mat m,
     for (int j = 0; j < s->n; j++) {
         y[j] = x[j] * (1 + 2 * MARGIN) - MARGIN;
         for (int k = 1; k < s->t.shape.dims[j]; k++)
-            grow *= 1 + 2 * fmax(0, fmax(-y[j], y[j] - 1));
+            grow *= 1 + 2 * ix__larger(0, ix__larger(-y[j], y[j] - 1));
         layers += 3 * (s->t.shape.dims[j] - 1);
     }
     for (int k = 0; k < s->n; k++) /* y is rounded: a slope times 2 u */
         ferr[k] = (b->err[k] + 3 * layers * UNIT * b->mag[k]) * grow;
     newton_step(q, b->c, ferr, m, y, d, e);
     for (int i = 0; i < s->n; i++)
-        rest[i] = fmin(rest[i], fabs(d[i]) + e[i]);
+        rest[i] = ix__smaller(rest[i], fabs(d[i]) + e[i]);
 }
 
 #define SLACK 0.3     /* contraction above which enclosures are sharpened */
@@ -363,7 +365,7 @@ static void sharpen(search *q, const ix__box *b, double *ferr, double *mag,
     (void)contraction(q, q->copy, ferr, mag, m, d);
     enclose(s->n, rest, d, ball, better);
     for (int i = 0; i < s->n; i++)
-        radius[i] = fmin(radius[i], better[i]);
+        radius[i] = ix__smaller(radius[i], better[i]);
 }
 
 /* Krawczyk's test on the inflated box with preconditioner m (for its own
@@ -436,7 +438,7 @@ static bool below_noise(int ng, const ix__combined *g)
         double lo, hi;
 
         ix__tensor_range(&g[i].shape, g[i].c, &lo, &hi);
-        if (fmax(-lo, hi) <= NOISE * g[i].err)
+        if (ix__larger(-lo, hi) <= NOISE * g[i].err)
             return true;
     }
     return false;

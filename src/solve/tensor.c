@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "bern/clones.h"
+
 void ix__shape_init(ix__shape *s, int n, const int *dims)
 {
     s->n = n;
@@ -16,13 +18,16 @@ void ix__shape_init(ix__shape *s, int n, const int *dims)
     }
 }
 
-/* w[i] = (1 - a) w[i] + a w[i + inner] for m - 1 layers of inner numbers. */
+/* w[i] = (1 - a) w[i] + a w[i + inner] for m - 1 layers of inner numbers; four
+ * at a time, all of them read before the first is written. */
 static void blend(double *w, size_t layers, size_t inner, double a)
 {
     double q = 1 - a;
-    size_t n = layers * inner;
+    size_t n = layers * inner, i = 0;
 
-    for (size_t i = 0; i < n; i++)
+    for (; inner >= 8 && i + 4 <= n; i += 4)
+        *ix__vec(w + i) = q * *ix__cvec(w + i) + a * *ix__cvec(w + i + inner);
+    for (; i < n; i++)
         w[i] = q * w[i] + a * w[i + inner];
 }
 
@@ -30,8 +35,12 @@ static void blend(double *w, size_t layers, size_t inner, double a)
 static void blend_back(double *w, size_t layers, size_t inner, double a)
 {
     double q = 1 - a;
+    size_t i = layers * inner;
 
-    for (size_t i = layers * inner; i-- > 0;)
+    for (; inner >= 8 && i >= 4; i -= 4)
+        *ix__vec(w + i - 4 + inner) = q * *ix__cvec(w + i - 4) +
+                                      a * *ix__cvec(w + i - 4 + inner);
+    while (i-- > 0)
         w[i + inner] = q * w[i] + a * w[i + inner];
 }
 
@@ -75,7 +84,7 @@ double ix__tensor_restrict_size(const ix__shape *s, const double *c, int j,
 
     if (m > MAX_LAYERS) {
         ix__tensor_range(s, c, &lo, &hi);
-        return fmax(-lo, hi);
+        return ix__larger(-lo, hi);
     }
     for (const double *p = c; p < c + s->size; p += inner * m)
         for (size_t k = 0; k < m; k++)
@@ -234,12 +243,12 @@ static bool hull_cut(const double *v, int m, double sign, double *a, double *b)
                 continue;
             x = (i + (k - i) * (f / (f - g))) / d;
             if (i < k)
-                lo = fmin(lo, x);
+                lo = ix__smaller(lo, x);
             else
-                hi = fmax(hi, x);
+                hi = ix__larger(hi, x);
         }
-    *a = fmax(*a, lo - 0x1p-50);
-    *b = fmin(*b, hi + 0x1p-50);
+    *a = ix__larger(*a, lo - 0x1p-50);
+    *b = ix__smaller(*b, hi + 0x1p-50);
     return *a <= *b;
 }
 

@@ -8,6 +8,17 @@
 
 #include "iritx/solve.h"
 
+/* For numbers that are no NaN; unlike fmax and fmin no calls. */
+static inline double ix__larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double ix__smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 typedef struct {
     int n; /* directions */
     int dims[IX_MAX_UNKNOWNS];
