@@ -10,11 +10,15 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/dd.h"
 
-#define UNIT (DBL_EPSILON / 2)
+#define UNIT         (DBL_EPSILON / 2)
+#define BLOCK        4 /* pieces that get their arrays together */
+#define DEPTH_DOUBLE 64
+#define DEPTH_DD     120 /* both multiples of BLOCK */
 
 /* h, or h + l in double-double when l is not NULL. */
 typedef struct {
@@ -48,11 +52,28 @@ static int sign_of(const piece *p, int i)
     return 0;
 }
 
+/* Sign variations if no coefficient is inside its band, else -1. */
+static int decided_variations(const piece *p)
+{
+    const double *h = p->h;
+    int n = 0;
+
+    for (int i = 0; i <= p->degree; i++)
+        if (!(h[i] > p->err || h[i] < -p->err))
+            return -1;
+    for (int i = 0; i < p->degree; i++)
+        n += (h[i] > 0) != (h[i + 1] > 0);
+    return n;
+}
+
 /* Fewest and most sign variations that coefficients inside the bands allow. */
 static void variations(const piece *p, int *fewest, int *most)
 {
     int last = 0, few = 0, plus = 0, minus = 0;
 
+    *fewest = *most = decided_variations(p);
+    if (*most >= 0)
+        return;
     for (int i = 0; i <= p->degree; i++) {
         int s = sign_of(p, i);
         int if_plus = plus > minus + 1 ? plus : minus + 1;
@@ -76,7 +97,7 @@ static double largest(const piece *p)
     double m = 0;
 
     for (int i = 0; i <= p->degree; i++)
-        m = fmax(m, fabs(p->h[i]));
+        m = fabs(p->h[i]) > m ? fabs(p->h[i]) : m;
     return m;
 }
 
@@ -115,9 +136,20 @@ static void split_dd(piece *right, int d, double r, piece *left)
     }
 }
 
+static double value_at(const piece *p, double r, double *work)
+{
+    double q = 1 - r;
+
+    memcpy(work, p->h, ((size_t)p->degree + 1) * sizeof *work);
+    for (int k = 1; k <= p->degree; k++)
+        for (int i = 0; i <= p->degree - k; i++)
+            work[i] = q * work[i] + r * work[i + 1];
+    return work[0];
+}
+
 /* p becomes its right part, left (with its own arrays) the left one. Each de
  * Casteljau step commits 3 roundings relative to the largest coefficient. */
-static void split(piece *p, double r, double m, piece *left)
+static void split(piece *p, double r, piece *left)
 {
     double unit = p->l ? 0x1p-100 : 3 * UNIT;
     double err = p->err + p->degree * unit * largest(p);
@@ -129,18 +161,7 @@ static void split(piece *p, double r, double m, piece *left)
         split_double(p->h, p->degree, r, left->h);
     left->err = p->err = err;
     left->lo = p->lo;
-    left->hi = p->lo = m;
-}
-
-static double value_at(const piece *p, double r, double *work)
-{
-    double q = 1 - r;
-
-    memcpy(work, p->h, ((size_t)p->degree + 1) * sizeof *work);
-    for (int k = 1; k <= p->degree; k++)
-        for (int i = 0; i <= p->degree - k; i++)
-            work[i] = q * work[i] + r * work[i + 1];
-    return work[0];
+    left->hi = p->lo = p->lo + r * (p->hi - p->lo);
 }
 
 /* A ratio near the middle at which the value is outside its band, or 0. */
@@ -154,6 +175,25 @@ static double split_ratio(const piece *p, double *work)
         if (fabs(value_at(p, ratios[i], work)) > band)
             return ratios[i];
     return 0;
+}
+
+/* In the middle; false (p unchanged up to rounding) if the value there is
+ * inside its band. keep has room for the coefficients. */
+static bool split_middle(piece *p, double *keep, piece *left)
+{
+    size_t bytes = ((size_t)p->degree + 1) * sizeof *keep;
+    double err = p->err, lo = p->lo, mid = lo + 0.5 * (p->hi - lo);
+
+    if (p->l || !(mid > lo && mid < p->hi))
+        return false;
+    memcpy(keep, p->h, bytes);
+    split(p, 0.5, left);
+    if (fabs(p->h[0]) > p->err)
+        return true;
+    memcpy(p->h, keep, bytes);
+    p->err = err;
+    p->lo = lo;
+    return false;
 }
 
 /* --- reporting
@@ -238,17 +278,22 @@ static void report_simple(search *s, piece *p, double *work)
 /* --- the search
  * ------------------------------------------------------------------ */
 
-/* The first piece of the stack that has no arrays gets them. */
-static ix_status new_piece(search *s, int degree)
+/* The first BLOCK pieces of the stack that have no arrays get them. */
+static ix_status new_pieces(search *s, int degree)
 {
-    piece *p = &s->stack[s->made];
+    size_t n = (size_t)degree + 1;
+    double *room;
 
-    p->degree = degree;
-    IX_SCRATCH(s->ctx, p->h, degree + 1);
-    p->l = NULL;
-    if (s->precise)
-        IX_SCRATCH(s->ctx, p->l, degree + 1);
-    s->made++;
+    IX_SCRATCH(s->ctx, room, BLOCK * n * (s->precise ? 2 : 1));
+    for (int i = 0; i < BLOCK; i++) {
+        piece *p = &s->stack[s->made++];
+
+        p->degree = degree;
+        p->h = room;
+        room += n;
+        p->l = s->precise ? room : NULL;
+        room += s->precise ? n : 0;
+    }
     return IX_OK;
 }
 
@@ -275,37 +320,47 @@ static void report_cluster(search *s, const piece *p, int most, double *work)
     report(s, p->lo + r * (p->hi - p->lo), p->lo, p->hi, m);
 }
 
-static ix_status search_all(search *s)
+/* Splits the top piece where its value is decided, or reports a cluster. */
+static ix_status split_or_report(search *s, int most, double *work)
 {
-    double *work;
+    piece *p = &s->stack[s->top], *left = p + 1;
+    double r, m;
 
-    IX_SCRATCH(s->ctx, work, 2 * (s->stack[0].degree + 2));
+    if (s->top + 1 < s->depth) {
+        if (s->top + 1 == s->made)
+            IX_TRY(new_pieces(s, p->degree));
+        if (split_middle(p, work, left)) {
+            s->top++;
+            return IX_OK;
+        }
+    }
+    r = s->top + 1 < s->depth ? split_ratio(p, work) : 0;
+    m = p->lo + r * (p->hi - p->lo);
+    if (r == 0 || !(m > p->lo && m < p->hi)) {
+        report_cluster(s, p, most, work);
+        s->top--;
+        return IX_OK;
+    }
+    split(p, r, left);
+    s->top++;
+    return IX_OK;
+}
+
+/* The work array has room for twice the coefficients. */
+static ix_status search_all(search *s, double *work)
+{
     while (s->top >= 0) {
         piece *p = &s->stack[s->top];
         int few, most;
-        double r, m;
 
         variations(p, &few, &most);
-        if (most == 0) {
+        if (most == 0 || (few == 1 && most == 1)) {
+            if (most == 1)
+                report_simple(s, p, work);
             s->top--;
             continue;
         }
-        if (few == 1 && most == 1) {
-            report_simple(s, p, work);
-            s->top--;
-            continue;
-        }
-        r = s->top + 1 < s->depth ? split_ratio(p, work) : 0;
-        m = p->lo + r * (p->hi - p->lo);
-        if (r == 0 || !(m > p->lo && m < p->hi)) {
-            report_cluster(s, p, most, work);
-            s->top--;
-            continue;
-        }
-        if (s->top + 1 == s->made)
-            IX_TRY(new_piece(s, p->degree));
-        split(p, r, m, &s->stack[s->top + 1]);
-        s->top++;
+        IX_TRY(split_or_report(s, most, work));
         IX_TRY(ix__poll(s->ctx));
     }
     return IX_OK;
@@ -357,17 +412,6 @@ static void count_end_zeros(int degree, const double *b, double band,
     out->sign1 = b[degree - m] > 0 ? 1 : -1;
 }
 
-#define DEPTH_DOUBLE 64
-#define DEPTH_DD     120
-
-static bool same_signs(const piece *p)
-{
-    int few, most;
-
-    variations(p, &few, &most);
-    return most == 0;
-}
-
 static ix_status start(search *s, ix_ctx *ctx, const piece *whole, bool precise)
 {
     size_t bytes = ((size_t)whole->degree + 1) * sizeof *whole->h;
@@ -376,7 +420,7 @@ static ix_status start(search *s, ix_ctx *ctx, const piece *whole, bool precise)
                   .precise = precise,
                   .depth = precise ? DEPTH_DD : DEPTH_DOUBLE};
     IX_SCRATCH(ctx, s->stack, s->depth);
-    IX_TRY(new_piece(s, whole->degree));
+    IX_TRY(new_pieces(s, whole->degree));
     memcpy(s->stack[0].h, whole->h, bytes);
     if (precise)
         memset(s->stack[0].l, 0, bytes);
@@ -407,11 +451,11 @@ static int count_on(search *s, const piece *whole, double lo, double hi)
     p.lo = 0;
     p.hi = 1;
     if (lo > 0)
-        split(&p, lo, lo, &left);
+        split(&p, lo, &left);
     else
         lo = 0;
     if (hi < 1) {
-        split(&p, (hi - lo) / (1 - lo), hi, &left);
+        split(&p, (hi - lo) / (1 - lo), &left);
         variations(&left, &few, &most);
     } else {
         variations(&p, &few, &most);
@@ -444,8 +488,6 @@ static ix_status count_clusters(search *s, const piece *whole)
     ix__poly_roots *o = s->out;
     int n = 0;
 
-    if (s->made == 1)
-        IX_TRY(new_piece(s, whole->degree));
     for (int i = 0; i < o->n; i++) {
         ix__poly_root *r = &o->root[i];
 
@@ -478,34 +520,44 @@ static void join_clusters(ix__poly_roots *o)
     o->n = n;
 }
 
+/* The polynomial without its roots at the ends, its coefficients in h, and the
+ * bound of their errors. */
+static piece inner_part(int degree, const double *b, double band,
+                        const ix__poly_roots *o, double *h)
+{
+    piece whole = {.degree = degree - o->zeros0 - o->zeros1, .h = h};
+    double gain;
+
+    deflate(degree, b, o->zeros0, o->zeros1, h, &gain);
+    whole.err = band * gain;
+    if (whole.degree < degree) /* at most 3 roundings in each of the ratios */
+        whole.err += 3 * degree * UNIT * largest(&whole);
+    return whole;
+}
+
 ix_status ix__poly_roots_find(ix_ctx *ctx, int degree, const double *b,
                               double band, ix__poly_roots *out)
 {
-    double gain;
+    const piece given = {
+        .degree = degree, .h = (double *)(uintptr_t)b, .err = band};
+    size_t n = (size_t)degree + 1;
+    double *room;
     piece whole;
     search s;
-    int d;
 
     *out = (ix__poly_roots){.n = 0};
     count_end_zeros(degree, b, band, out);
-    if (out->vanishes)
+    if (out->vanishes || decided_variations(&given) == 0)
         return IX_OK;
-    d = degree - out->zeros0 - out->zeros1;
-    whole = (piece){.degree = d};
-    IX_SCRATCH(ctx, whole.h, d + 1);
-    deflate(degree, b, out->zeros0, out->zeros1, whole.h, &gain);
-    whole.err = band * gain;
-    if (d < degree) /* at most 3 roundings for each of degree ratios */
-        whole.err += 3 * degree * UNIT * largest(&whole);
-    if (same_signs(&whole))
-        return IX_OK;
-    IX_SCRATCH(ctx, out->root, d + 1);
+    IX_SCRATCH(ctx, room, 3 * n + 2);
+    whole = inner_part(degree, b, band, out, room);
+    IX_SCRATCH(ctx, out->root, n);
     for (int precise = 0; precise <= 1; precise++) {
         IX_TRY(start(&s, ctx, &whole, precise != 0));
         s.out = out;
-        s.cap = d + 1;
+        s.cap = degree + 1;
         out->n = 0;
-        IX_TRY(search_all(&s));
+        IX_TRY(search_all(&s, room + n));
         if (all_simple(out))
             return IX_OK;
     }

@@ -236,25 +236,14 @@ static int clip(ix_root *r, int n, double lo, double hi, ix_root *out)
     return k;
 }
 
-static ix_status find(ix_ctx *ctx, const ix_mv *f, int axis,
+/* The roots that meet [o->lo, o->hi] (none: all), in memory of their own. */
+static ix_status keep(ix_ctx *ctx, ix_root *all, int count,
                       const ix_root_opts *o, ix_root **roots, int *n)
 {
-    double *b, *band, lo = o->lo, hi = o->hi;
-    ix_root *all, *kept;
-    ix_spans sp;
-    int count;
+    ix_root *kept;
 
-    IX_TRY(ix__spans_of(ctx, &f->dirs[0], &sp));
-    IX_SCRATCH(ctx, b, (size_t)sp.nspans * ((size_t)sp.degree + 1));
-    IX_SCRATCH(ctx, band, sp.nspans);
-    IX_TRY(coefficients(ctx, f, axis, o->level, &sp, b));
-    bands(f, &sp, b, o, band);
-    IX_TRY(ix__spans_roots(ctx, &sp, b, band, &all, &count));
-    if (lo > hi) {
-        lo = -HUGE_VAL;
-        hi = HUGE_VAL;
-    }
-    count = clip(all, count, lo, hi, all);
+    if (o->lo <= o->hi)
+        count = clip(all, count, o->lo, o->hi, all);
     if (count == 0)
         return IX_OK;
     kept = ix__alloc(ctx, (size_t)count * sizeof *kept);
@@ -264,6 +253,43 @@ static ix_status find(ix_ctx *ctx, const ix_mv *f, int axis,
     *roots = kept;
     *n = count;
     return IX_OK;
+}
+
+/* A Bezier curve as it is: its coefficients are exact. */
+static ix_status find_bezier(ix_ctx *ctx, const ix_mv *f, int axis,
+                             const ix_root_opts *o, ix_root **roots, int *n)
+{
+    static const double unit[2] = {0, 1};
+    const ix_spans sp = {
+        .degree = f->dirs[0].order - 1, .nspans = 1, .breaks = unit};
+    const double *b = ix_mv_axis(f, axis);
+    double band = 0;
+    ix_root *all;
+    int count;
+
+    for (int i = 0; o->error > 0 && i <= sp.degree; i++)
+        band = fmax(band, o->error * fabs(b[i]));
+    IX_TRY(ix__spans_roots(ctx, &sp, b, &band, &all, &count));
+    return keep(ctx, all, count, o, roots, n);
+}
+
+static ix_status find(ix_ctx *ctx, const ix_mv *f, int axis,
+                      const ix_root_opts *o, ix_root **roots, int *n)
+{
+    double *b, *band;
+    ix_root *all;
+    ix_spans sp;
+    int count;
+
+    if (f->dirs[0].basis == IX_BEZIER && o->level == 0)
+        return find_bezier(ctx, f, axis, o, roots, n);
+    IX_TRY(ix__spans_of(ctx, &f->dirs[0], &sp));
+    IX_SCRATCH(ctx, b, (size_t)sp.nspans * ((size_t)sp.degree + 1));
+    IX_SCRATCH(ctx, band, sp.nspans);
+    IX_TRY(coefficients(ctx, f, axis, o->level, &sp, b));
+    bands(f, &sp, b, o, band);
+    IX_TRY(ix__spans_roots(ctx, &sp, b, band, &all, &count));
+    return keep(ctx, all, count, o, roots, n);
 }
 
 ix_status ix_roots(ix_ctx *ctx, const ix_mv *f, int axis, const ix_root_opts *o,
