@@ -226,6 +226,18 @@ static ix_status surface_evolute(ix_call *c, const ix_op_opts *o)
     return ix__ret_mv(c, 0, out);
 }
 
+/* Several curves, each with its poles. */
+static ix_status ret_pieces(ix_call *c, ix_crvs *e)
+{
+    IX_TRY(ix__ret_crvs(c, e));
+    for (int i = 0; i < c->result->u.list.n; i++) {
+        ix_obj *o = c->result->u.list.item[i];
+
+        IX_TRY(ix__tell_poles(c, o, ix__obj_first_mv(o)));
+    }
+    return IX_OK;
+}
+
 /* The only piece, or all of them with a remark. */
 static ix_status evolute(ix_call *c)
 {
@@ -244,7 +256,7 @@ static ix_status evolute(ix_call *c)
         ix__remark(c->in, "straight parts are left out: %d piece%s", e.n,
                    e.n > 1 ? "s" : "");
     if (e.n > 1)
-        return ix__ret_crvs(c, &e);
+        return ret_pieces(c, &e);
     only = ix_mv_ref(e.crv[0]);
     ix_crvs_free(c->ctx, &e);
     IX_TRY(ix__ret_mv(c, 0, only));
@@ -271,7 +283,9 @@ static ix_status ret_ruled(ix_call *c, ix_ruled_kind kind)
     ix_mv *out;
 
     IX_TRY(ix_crv_ruled(c->ctx, ix__arg_mv(c, 0), kind, range, &o, NULL, &out));
-    return ix__ret_geom(c, -1, out, scroll ? IX__GEOM_RULED : IX__GEOM_DEVELOP);
+    IX_TRY(
+        ix__ret_geom(c, -1, out, scroll ? IX__GEOM_RULED : IX__GEOM_DEVELOP));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
 }
 
 static ix_status tandevsrf(ix_call *c)
@@ -363,16 +377,18 @@ const ix_builtin ix__builtins_ops_crv[] = {
     {"EVOLUTE", "x:curve|surface -> curve|surface|list",
      "The centres of curvature, exactly; a list of curves if straight parts "
      "are left out. It passes through infinity at the parameters that the "
-     "attribute Poles lists. Of a surface: the mean evolute S + n / (2H).",
+     "attribute Poles lists; Finite lists the ranges between. Of a surface: "
+     "the mean evolute S + n / (2H).",
      CUBIC "e = evolute(c);", evolute, 0, 19},
     {"FOCALCRV", "c:curve -> curve",
      "The centres of the osculating spheres of a space curve, an exact "
-     "rational curve; at zero torsion (attribute Poles) it is at infinity.",
+     "rational curve; at zero torsion (attributes Poles, Finite) it is at "
+     "infinity.",
      SPACE "f = focalcrv(c);", focalcrv, 0, 19},
     {"FOCALSRF", "c:curve min:num max:num -> surface",
      "The polar developable: the axes of the circles of curvature, between "
      "two planes at the distances min and max from one through the middle of "
-     "the control points.",
+     "the control points; Poles and Finite as for EVOLUTE.",
      SPACE "s = focalsrf(c, -1, 1);", focalsrf, 0, 19},
     {"TANDEVSRF", "c:curve min:num max:num -> surface",
      "The tangent developable, c + r c' (times the weight) with r from min to "

@@ -88,22 +88,71 @@ static ix_obj *list_of_poles(ix_ctx *ctx, const ix_root *r, int n)
     return list;
 }
 
+/* The list (lo, hi) at the end of a list; nothing if it is empty. */
+static ix_status add_range(ix_ctx *ctx, ix_obj *list, double lo, double hi)
+{
+    ix_obj *pair;
+    ix_status st;
+
+    if (!(lo < hi))
+        return IX_OK;
+    pair = ix__obj_list(ctx);
+    st = pair ? ix__list_add_num(ctx, pair, lo) : IX_ENOMEM;
+    if (st == IX_OK)
+        st = ix__list_add_num(ctx, pair, hi);
+    if (st == IX_OK)
+        return ix__list_add(ctx, list, pair);
+    ix__obj_unref(ctx, pair);
+    return st;
+}
+
+/* The ranges between poles, which are sorted; NULL if memory is short. */
+static ix_obj *list_of_finite(ix_ctx *ctx, const double dom[2],
+                              const ix_root *r, int n)
+{
+    ix_obj *list = ix__obj_list(ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+    double from = dom[0];
+
+    for (int i = 0; st == IX_OK && i < n; i++) {
+        bool wide = r[i].kind == IX_ROOT_INTERVAL;
+
+        if (r[i].kind == IX_ROOT_JUMP)
+            continue;
+        st = add_range(ctx, list, from, wide ? r[i].lo : r[i].t);
+        from = wide ? r[i].hi : r[i].t;
+    }
+    if (st == IX_OK)
+        st = add_range(ctx, list, from, dom[1]);
+    if (st == IX_OK)
+        return list;
+    ix__obj_unref(ctx, list);
+    return NULL;
+}
+
 static ix_status poles_of_curve(ix_call *c, ix_obj *result, const ix_mv *m)
 {
     /* what composition and products leave in the weights */
     static const ix_root_opts rounded = {.lo = 1, .hi = 0, .error = 1e-14};
-    ix_obj *list;
+    ix_obj *poles, *finite;
+    double dom[2];
     ix_root *r;
     ix_status st = IX_OK;
     int n;
 
     IX_TRY(ix_roots(c->ctx, m, 0, &rounded, &r, &n));
-    list = list_of_poles(c->ctx, r, n);
-    if (!list)
+    ix_mv_domain(m, 0, dom);
+    poles = list_of_poles(c->ctx, r, n);
+    finite = list_of_finite(c->ctx, dom, r, n);
+    if (!poles || !finite)
         st = IX_ENOMEM;
-    else if (list->u.list.n > 0)
-        st = ix__attr_set_obj(c->ctx, &result->attrs, "Poles", list);
-    ix__obj_unref(c->ctx, list);
+    if (st == IX_OK && poles->u.list.n > 0) {
+        st = ix__attr_set_obj(c->ctx, &result->attrs, "Poles", poles);
+        if (st == IX_OK)
+            st = ix__attr_set_obj(c->ctx, &result->attrs, "Finite", finite);
+    }
+    ix__obj_unref(c->ctx, poles);
+    ix__obj_unref(c->ctx, finite);
     ix_roots_free(c->ctx, r, n);
     return st;
 }

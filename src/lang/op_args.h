@@ -19,9 +19,9 @@ typedef struct {
 ix_status ix__arg_operands(ix_call *c, int i, ix_obj_type type, int n,
                            const char *what, ix_operand *out) IX_MUST_CHECK;
 
-/* The attribute Poles of the result: the parameters where the weight of m (a
- * curve, or a surface whose weight does not depend on direction 1) is zero; not
- * set if there are none. */
+/* The attributes Poles of the result: the parameters where the weight of m (a
+ * curve, or a surface whose weight does not depend on direction 1) is zero, and
+ * Finite: the ranges (lo, hi) between them. Not set if there are none. */
 ix_status ix__tell_poles(ix_call *c, ix_obj *result,
                          const ix_mv *m) IX_MUST_CHECK;
 
