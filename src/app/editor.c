@@ -9,6 +9,7 @@
 #include <ctype.h>
 #include <dlfcn.h>
 #include <errno.h>
+#include <glob.h>
 #include <histedit.h>
 #include <signal.h>
 #include <stdio.h>
@@ -29,9 +30,7 @@ enum {
     SCREEN = 80        /* columns, where they are */
 };
 
-/* --- the library
- * -------------------------------------------------------------------------
- */
+/* --- the library ------------------------------------------------------- */
 
 static struct {
     __typeof__(el_init) *init;
@@ -81,9 +80,7 @@ static bool load_library(void)
     return so != NULL;
 }
 
-/* --- signals
- * -----------------------------------------------------------------------------
- */
+/* --- signals ----------------------------------------------------------- */
 
 static volatile sig_atomic_t resized, resumed;
 
@@ -157,11 +154,10 @@ static char *prompt_text(EditLine *el)
     return text;
 }
 
-/* --- completion
- * -------------------------------------------------------------------------- */
+/* --- completion -------------------------------------------------------- */
 
-/* Length of what all n names (upper case) have in common. */
-static size_t common(const char **name, size_t n)
+/* Length of what all n names have in common. */
+static size_t common(const char *const *name, size_t n)
 {
     size_t k = strlen(name[0]);
 
@@ -172,7 +168,7 @@ static size_t common(const char **name, size_t n)
     return k;
 }
 
-static void list_names(const char **name, size_t n)
+static void list_names(const char *const *name, size_t n)
 {
     size_t width = 0, columns;
 
@@ -208,15 +204,81 @@ static bool in_name(char c)
     return isalnum((unsigned char)c) || c == '_';
 }
 
+/* Behind the quote of a text that is open at the cursor; NULL: none is. */
+static const char *open_text(const LineInfo *li)
+{
+    const char *open = NULL;
+
+    for (const char *p = li->buffer; p < li->cursor; p++) {
+        if (*p == '"')
+            open = open ? NULL : p + 1;
+        else if (*p == '\\' && open && p + 1 < li->cursor)
+            p++;
+    }
+    return open;
+}
+
+/* "text*" for glob(), which takes the text as it stands. */
+static bool make_pattern(const char *text, size_t n, char *out, size_t room)
+{
+    size_t k = 0;
+
+    if (2 * n + 2 > room)
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        if (strchr("*?[\\", text[i]))
+            out[k++] = '\\';
+        out[k++] = text[i];
+    }
+    out[k++] = '*';
+    out[k] = '\0';
+    return true;
+}
+
+static const char *cut(char *s, size_t n)
+{
+    s[n] = '\0';
+    return s;
+}
+
+/* The name of a file, n characters of which are typed; a whole one ends the
+ * text. */
+static unsigned char complete_path(EditLine *el, const char *typed, size_t n)
+{
+    unsigned char done = CC_REFRESH_BEEP;
+    char pattern[1024];
+    glob_t g;
+    size_t k;
+
+    if (!make_pattern(typed, n, pattern, sizeof pattern) ||
+        glob(pattern, GLOB_MARK, NULL, &g) != 0)
+        return CC_REFRESH_BEEP;
+    k = common((const char *const *)g.gl_pathv, g.gl_pathc);
+    if (k > n || g.gl_pathc == 1) {
+        (void)lib.insertstr(el, g.gl_pathc == 1 ? g.gl_pathv[0] + n
+                                                : cut(g.gl_pathv[0], k) + n);
+        if (g.gl_pathc == 1 && g.gl_pathv[0][k - 1] != '/')
+            (void)lib.insertstr(el, "\"");
+        done = CC_REFRESH;
+    } else {
+        list_names((const char *const *)g.gl_pathv, g.gl_pathc);
+        done = CC_REDISPLAY;
+    }
+    globfree(&g);
+    return done;
+}
+
 static unsigned char complete(EditLine *el, int key)
 {
     static const char *name[OFFERED];
     const editor *e = of(el);
     const LineInfo *li = lib.line(el);
-    const char *word = li->cursor;
+    const char *word = li->cursor, *text = open_text(li);
     size_t typed, n, k;
 
     (void)key;
+    if (text)
+        return complete_path(el, text, (size_t)(li->cursor - text));
     while (word > li->buffer && in_name(word[-1]))
         word--;
     typed = (size_t)(li->cursor - word);
@@ -236,9 +298,7 @@ static unsigned char complete(EditLine *el, int key)
     return CC_REDISPLAY;
 }
 
-/* --- history
- * -----------------------------------------------------------------------------
- */
+/* --- history ----------------------------------------------------------- */
 
 /* Makes the directories of a path that are missing; private, as the XDG base
  * directories want it. */
@@ -296,9 +356,7 @@ void editor_remember(editor *e, const char *text, bool more)
     (void)lib.history(e->history, &ev, H_SAVE, e->file);
 }
 
-/* --- the editor
- * --------------------------------------------------------------------------
- */
+/* --- the editor -------------------------------------------------------- */
 
 bool editor_open(editor *e, const volatile int *cancel,
                  editor_complete_fn names, void *ud)

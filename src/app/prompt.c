@@ -26,9 +26,7 @@ bool prompt_wanted(void)
     return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
 }
 
-/* --- help
- * --------------------------------------------------------------------------------
- */
+/* --- help -------------------------------------------------------------- */
 
 enum { SIMILAR = 60, LONGEST = 80 };
 
@@ -39,10 +37,26 @@ static void help_session(void)
                  "  Tab               completes a name, or lists what fits\n"
                  "  Up, Ctrl-R        earlier statements\n"
                  "  Ctrl-C            ends a computation or a statement\n"
-                 "  Ctrl-D            leaves\n"
-                 "Large values are summarised; printf(\"%%Dg\\n\", list(a)); "
+                 "  Ctrl-D, exit      leaves\n"
+                 "Large values are summarised; printf(\"%%Dg\\\\n\", list(a)); "
                  "shows all of a.\n"
                  "iritx --list-functions lists all functions.\n");
+}
+
+/* In lines of a screen. */
+static void put_name(const char *name, bool first)
+{
+    static size_t column;
+    const size_t width = 78;
+
+    if (first)
+        (void)printf(" These contain it:");
+    if (first || column + 1 + strlen(name) > width) {
+        (void)printf("\n ");
+        column = 1;
+    }
+    (void)printf(" %s", name);
+    column += 1 + strlen(name);
 }
 
 static void help_similar(prompt *p, const char *name)
@@ -52,7 +66,7 @@ static void help_similar(prompt *p, const char *name)
 
     (void)printf("Nothing is called %s.", name);
     for (size_t i = 0; i < n; i++)
-        (void)printf("%s%s", i ? " " : " These contain it: ", found[i]);
+        put_name(found[i], i == 0);
     (void)putchar('\n');
 }
 
@@ -125,9 +139,7 @@ static bool asks_for_help(const char *line, char name[LONGEST])
     return line[strspn(line, " \t;()")] == '\0';
 }
 
-/* --- lines
- * -------------------------------------------------------------------------------
- */
+/* --- lines ------------------------------------------------------------- */
 
 static const char *question(bool more)
 {
@@ -167,6 +179,15 @@ static void begin(prompt *p)
     (void)printf("iritx %s; help tells more, Ctrl-D leaves\n", ix_version());
 }
 
+/* "exit" or "quit" alone, without the marks of a statement. */
+static bool asks_to_leave(const char *line)
+{
+    line += strspn(line, " \t");
+    if (strncasecmp(line, "exit", 4) != 0 && strncasecmp(line, "quit", 4) != 0)
+        return false;
+    return line[4 + strspn(line + 4, " \t;")] == '\0';
+}
+
 /* A line that the interpreter shall see; Ctrl-C starts a new one. */
 static editor_result statement_line(prompt *p, bool more, ix_buf *b)
 {
@@ -185,6 +206,8 @@ static editor_result statement_line(prompt *p, bool more, ix_buf *b)
             return r;
         if (p->edits)
             editor_remember(&p->editor, b->data, more);
+        if (!more && asks_to_leave(b->data))
+            return EDITOR_END;
         if (more || !asks_for_help(b->data, topic))
             return r;
         help(p, topic);
@@ -211,9 +234,7 @@ bool prompt_line(void *ud, bool more, ix_buf *b)
     return r == EDITOR_LINE;
 }
 
-/* --- values
- * ------------------------------------------------------------------------------
- */
+/* --- values ------------------------------------------------------------ */
 
 bool prompt_show(void *ud, const ix_obj *o, ix_buf *b)
 {
@@ -227,7 +248,7 @@ bool prompt_show(void *ud, const ix_obj *o, ix_buf *b)
         return false;
     }
     if (large && !p->hinted && o->type != IX_OBJ_LIST) {
-        ix__buf_puts(b, "(in full: printf(\"%Dg\\n\", list(a));)\n");
+        ix__buf_puts(b, "(in full: printf(\"%Dg\\\\n\", list(a));)\n");
         p->hinted = true;
     }
     return true;

@@ -76,6 +76,7 @@ struct ix_interp {
     FILE *err;       /* messages; NULL: standard error */
     char *log_name;
     bool log_on;
+    bool mid_line; /* standard output does not end with a newline */
     int out_errno; /* why output could not be written; 0: it could */
     ix_buf text;   /* of the value being printed */
     ix_obj *viewed;

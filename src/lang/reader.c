@@ -90,21 +90,26 @@ static bool text_line(ix__reader *rd, ix__source *s)
     return true;
 }
 
-/* One line typed by a person; false at the end. */
+/* One line typed by a person; false at the end. Its end separates words, as a
+ * blank does: who types a name and Return does not go on with the name. */
 static bool typed_line(ix__reader *rd, ix__source *s)
 {
     const ix_interp_opts *o = &rd->in->opt;
     ix_buf *b = &rd->in->text; /* nothing is printed meanwhile */
 
-    ix__flush(rd->in);
     ix__buf_clear(b);
-    if (!rd->inside) { /* limits are those of a statement */
+    if (!rd->inside) {        /* limits are those of a statement */
+        if (rd->in->mid_line) /* the prompt begins a line */
+            ix__out(rd->in, "\n", 1);
         rd->in->nshown = 0;
         rd->in->step = 0;
     }
+    ix__flush(rd->in);
     s->at_end = !o->read_line(o->read_ud, rd->inside, b);
     for (size_t i = 0; i < b->len; i++)
         add_char(rd, (unsigned char)b->data[i]);
+    if (!s->at_end)
+        add_char(rd, ' ');
     return !s->at_end;
 }
 

@@ -21,6 +21,8 @@ void ix__out(ix_interp *in, const char *s, size_t n)
 
     if (!in->out)
         ix__progress_clear(in->ctx);
+    if (!in->out && n)
+        in->mid_line = s[n - 1] != '\n';
     if (n && fwrite(s, 1, n, f) != n)
         in->out_errno = errno;
     if (in->log && in->log_on && !in->out)
