@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "io/export.h"
+#include "io/faces.h"
 #include "mv/tessellate.h"
 
 enum { SIDE = 12, ORDER = 4 };
@@ -50,6 +51,83 @@ static void mesh(void *arg)
     ix__mesh_free(b->ctx, &m);
 }
 
+/* A bicubic patch, whole or with a hole in it. */
+typedef struct {
+    ix_ctx *ctx;
+    ix__face face;
+    double tol;
+    size_t ntris;
+} patch;
+
+static ix_mv *bicubic(ix_ctx *ctx)
+{
+    const ix_dir dir[2] = {{IX_BEZIER, 4, 4, false, NULL},
+                           {IX_BEZIER, 4, 4, false, NULL}};
+    double pts[48];
+    ix_mv *m = NULL;
+
+    for (int k = 0; k < 16; k++) {
+        pts[k] = k % 4;
+        pts[16 + k] = k / 4;
+        pts[32 + k] = cos(5 * k);
+    }
+    ix_bench_ok(ctx, ix_mv_new(ctx, 2, dir, 3, false, pts, &m));
+    return m;
+}
+
+/* A closed curve about (x, x), as a loop of one curve. */
+static ix_mv *ring(ix_ctx *ctx, int order, int n, double x, double r)
+{
+    double knots[16], pts[24];
+    const ix_dir dir = {IX_BSPLINE, order, n, false, knots};
+    ix_mv *m = NULL;
+
+    ix_bench_ok(ctx, ix_knots_make(ctx, IX_KV_OPEN, order, n, knots));
+    for (int i = 0; i < n; i++) {
+        double a = 2 * acos(-1.) * (i % (n - 1)) / (n - 1);
+
+        pts[i] = x + r * cos(a);
+        pts[n + i] = x + r * sin(a);
+    }
+    ix_bench_ok(ctx, ix_mv_new(ctx, 1, &dir, 2, false, pts, &m));
+    return m;
+}
+
+static void mesh_face(void *arg)
+{
+    patch *p = arg;
+    ix_mark mk = ix__scratch_mark(p->ctx);
+    ix__mesh *m;
+
+    ix_bench_ok(p->ctx,
+                ix__mesh_of_faces(p->ctx, 1, &p->face, p->tol, NULL, &m));
+    p->ntris = m->ntris;
+    ix__mesh_free(p->ctx, m);
+    ix__scratch_release(p->ctx, mk);
+}
+
+static void patch_rows(ix_ctx *ctx)
+{
+    ix_mv *outer = ring(ctx, 4, 9, .5, .5), *hole = ring(ctx, 4, 9, .5, .3);
+    ix__face_curve curve[2] = {{.uv = outer, .edge = -1},
+                               {.uv = hole, .edge = -1}};
+    ix__face_loop loop[2] = {{1, &curve[0]}, {1, &curve[1]}};
+    ix_mv *srf = bicubic(ctx);
+    patch p = {.ctx = ctx, .face = {.srf = srf}, .tol = 1e-4};
+
+    mesh_face(&p);
+    ix_bench("tessellate a bicubic patch, tolerance 1e-4", mesh_face, &p,
+             (double)p.ntris, "triangle");
+    p.face.nloops = 2;
+    p.face.loop = loop;
+    mesh_face(&p);
+    ix_bench("the same, trimmed by two loops", mesh_face, &p, (double)p.ntris,
+             "triangle");
+    ix_mv_unref(ctx, srf);
+    ix_mv_unref(ctx, outer);
+    ix_mv_unref(ctx, hole);
+}
+
 static void write_file(void *arg)
 {
     bench *b = arg;
@@ -80,6 +158,7 @@ int main(void)
     mesh(&b);
     ix_bench("tessellate, tolerance 1e-2", mesh, &b, (double)b.ntris,
              "triangle");
+    patch_rows(b.ctx);
     b.tol = .1;
     b.write = ix__stl_write;
     file_row(&b, "stl, text");

@@ -295,7 +295,8 @@ typedef struct {
     ix_ctx *ctx;
     int n;
     const ix__face *face;
-    double tol;
+    double tol;       /* with steps: within which edges are one */
+    const int *steps; /* NULL, or instead of the tolerance */
     ix__tess_grid **grid;
     size_t nuses;
     use *uses; /* in the order of faces, loops, curves */
@@ -417,13 +418,21 @@ static ix_status drop_doubles(mesher *m, use *first)
  * do, as crossings of one grid hardly move those of the other. */
 enum { ROUNDS = 4 };
 
+static int most_steps(const mesher *m)
+{
+    return !m->steps                   ? 0
+           : m->steps[0] > m->steps[1] ? m->steps[0]
+                                       : m->steps[1];
+}
+
 static ix_status sample_ring(mesher *m, use *first)
 {
     use *u = first;
 
     do {
         IX_TRY(ix__trim_samples(m->ctx, m->grid[u->face], u->c->uv,
-                                (1 - GRID) * m->tol, &u->n, &u->t));
+                                (1 - GRID) * m->tol, most_steps(m), &u->n,
+                                &u->t));
         ix_mv_domain(u->c->uv, 0, u->dom);
         u->done = true;
     } while ((u = u->next) != first);
@@ -630,12 +639,19 @@ static ix_status list_uses(mesher *m)
     return IX_OK;
 }
 
+static ix_status make_grid(mesher *m, int f)
+{
+    if (m->steps)
+        return ix__mesh_grid_even(m->ctx, m->face[f].srf, m->steps,
+                                  &m->grid[f]);
+    return ix__mesh_grid(m->ctx, m->face[f].srf, GRID * m->tol, &m->grid[f]);
+}
+
 static ix_status sample_all(mesher *m)
 {
     IX_SCRATCH(m->ctx, m->grid, m->n);
     for (int f = 0; f < m->n; f++)
-        IX_TRY(
-            ix__mesh_grid(m->ctx, m->face[f].srf, GRID * m->tol, &m->grid[f]));
+        IX_TRY(make_grid(m, f));
     IX_TRY(list_uses(m));
     for (size_t i = 0; i < m->nuses; i++)
         if (!m->uses[i].done)
@@ -716,9 +732,9 @@ static ix_status mesh_faces(mesher *m, ix__mesh *out)
 }
 
 ix_status ix__mesh_of_faces(ix_ctx *ctx, int n, const ix__face *face,
-                            double tol, ix__mesh **out)
+                            double tol, const int *steps, ix__mesh **out)
 {
-    mesher m = {.ctx = ctx, .n = n, .face = face, .tol = tol};
+    mesher m = {.ctx = ctx, .n = n, .face = face, .tol = tol, .steps = steps};
     ix_mark mk;
     ix_status st;
 

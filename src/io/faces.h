@@ -51,11 +51,13 @@ ix_status ix__face_nesting(ix_ctx *ctx, const ix__face *f,
 
 /* Triangles of n faces within tol of them. Border edges are within tol of the
  * trimming curves on the surface. Faces that share edges of a model get the
- * same points there, unless their curves are more than tol apart. Err as
+ * same points there, unless their curves are more than tol apart. If steps is
+ * not NULL: instead, steps[2] equal steps in the two directions. Err as
  * ix__mesh_of_srf and of the curves; *out: n meshes in scratch, each to be
  * freed, none on failure. */
 ix_status ix__mesh_of_faces(ix_ctx *ctx, int n, const ix__face *face,
-                            double tol, ix__mesh **out) IX_MUST_CHECK;
+                            double tol, const int *steps,
+                            ix__mesh **out) IX_MUST_CHECK;
 
 /* The border lines of a face in space, within tol, one line for each loop. */
 ix_status ix__lines_of_face(ix_ctx *ctx, const ix__face *f, double tol,

@@ -480,7 +480,7 @@ static ix_status add_faces(builder *b, int n, const ix__face *f, double tol,
     ix_status s = IX_OK;
     ix__mesh *m;
 
-    IX_TRY(ix__mesh_of_faces(b->s->ctx, n, f, tol, &m));
+    IX_TRY(ix__mesh_of_faces(b->s->ctx, n, f, tol, NULL, &m));
     for (int i = 0; i < n; i++) {
         if (s == IX_OK)
             s = add_face(b, &f[i], &m[i], tol, st);

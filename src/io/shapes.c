@@ -160,7 +160,7 @@ static ix_status meshes(walker *w, const ix_obj *o, int n, const ix__face *face)
     ix_status st = IX_OK;
     ix__mesh *m;
 
-    IX_TRY(ix__mesh_of_faces(w->ctx, n, face, w->tol, &m));
+    IX_TRY(ix__mesh_of_faces(w->ctx, n, face, w->tol, NULL, &m));
     for (int i = 0; i < n; i++)
         if (st == IX_OK)
             st = give_mesh(w, o, &m[i]);

@@ -486,7 +486,7 @@ static ix_status put_faces(ix__x3d *w, const char *name,
 {
     ix_ctx *ctx = w->b->ctx;
     ix__mesh *mesh;
-    ix_status st = ix__mesh_of_faces(ctx, n, f, w->tol, &mesh);
+    ix_status st = ix__mesh_of_faces(ctx, n, f, w->tol, NULL, &mesh);
     bool some = st == IX_OK;
 
     if (st == IX_EUNABLE)

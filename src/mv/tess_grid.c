@@ -32,7 +32,8 @@ typedef struct {
     ix_ctx *ctx;
     const ix__bernstein *c;
     double tol;
-    double least; /* smallest |weight| that is kept, 0 without poles */
+    const int *steps; /* of each direction, instead of the tolerance; or NULL */
+    double least;     /* smallest |weight| that is kept, 0 without poles */
     pieces d[2];
     double budget[2]; /* of 8 tol, for each direction */
     int order[2], nspans[2];
@@ -268,6 +269,18 @@ static double longest(const gridder *g, int d, const piece *p)
     return p->e > 0 ? (p->b - p->a) * sqrt(g->budget[d] / p->e) : 1;
 }
 
+/* Equal parts of a piece, p->e being the square of their number. */
+static double even_step(const pieces *l, int *i, double t)
+{
+    const piece *p = &l->p[*i];
+    double n = sqrt(p->e), k = floor((t - p->a) / (p->b - p->a) * n + .5) + 1;
+
+    if (k < n)
+        return p->a + (p->b - p->a) * (k / n);
+    ++*i;
+    return p->b;
+}
+
 /* The sample after t, which lies in piece *i; both are moved on. Steps may
  * cross from piece to piece, but not at poles. */
 static double step(const gridder *g, int d, int *i, double t)
@@ -276,6 +289,8 @@ static double step(const gridder *g, int d, int *i, double t)
     double reach = HUGE_VAL;
     int k = *i;
 
+    if (g->steps)
+        return even_step(l, i, t);
     for (;; k++) {
         const piece *p = &l->p[k], *next = p + 1;
         bool last = k + 1 == l->n || next->span != p->span;
@@ -492,11 +507,38 @@ static ix_status prepare(gridder *g, const ix__bernstein *c)
     return IX_OK;
 }
 
+/* Steps of equal length, as many as the domain's share of each span asks for;
+ * straight spans of polynomial curves need only one. The need of a piece is
+ * that of such a step. */
+static void share_steps(gridder *g)
+{
+    const ix_mv *m = g->c->m;
+
+    for (int d = 0; d < m->ndirs; d++) {
+        const double *br = g->c->sp[d].breaks;
+        double all = br[g->nspans[d]] - br[0];
+
+        g->budget[d] = 1;
+        for (int i = 0; i < g->d[d].n; i++) {
+            piece *p = &g->d[d].p[i];
+            double part = (br[p->span + 1] - br[p->span]) / all * (p->b - p->a);
+            double n = fmax(ceil(part * g->steps[d] - 1e-9), 1);
+
+            if (m->ndirs == 1 && g->order[d] <= 2 && !m->rational)
+                n = 1;
+            p->e = n * n;
+        }
+    }
+}
+
 static ix_status make_grid(gridder *g, ix__tess_grid *out)
 {
     IX_TRY(prepare(g, g->c));
     IX_TRY(find_pieces(g));
-    share_tolerance(g);
+    if (g->steps)
+        share_steps(g);
+    else
+        share_tolerance(g);
     IX_TRY(put_samples(g, 0, &out->d[0]));
     if (g->c->m->ndirs > 1)
         IX_TRY(put_samples(g, 1, &out->d[1]));
@@ -509,22 +551,39 @@ static ix_status make_grid(gridder *g, ix__tess_grid *out)
     return IX_OK;
 }
 
-ix_status ix__tess_grid_of(ix_ctx *ctx, const ix_mv *m, double tol,
-                           ix__tess_grid *out)
+static ix_status grid_of(gridder *g, const ix_mv *m, ix__tess_grid *out)
 {
-    gridder g = {.ctx = ctx, .tol = tol};
     ix__bernstein c;
     ix_status st;
     ix_mv *cur;
 
     *out = (ix__tess_grid){0};
+    IX_TRY(ix__mv_no_power(g->ctx, m, &cur));
+    g->c = &c;
+    st = ix__bernstein_of(g->ctx, cur, &c);
+    if (st == IX_OK)
+        st = make_grid(g, out);
+    ix_mv_unref(g->ctx, cur);
+    return st;
+}
+
+ix_status ix__tess_grid_of(ix_ctx *ctx, const ix_mv *m, double tol,
+                           ix__tess_grid *out)
+{
+    gridder g = {.ctx = ctx, .tol = tol};
+
     if (!(tol > 0))
         return IX_FAIL(ctx, IX_EARG, "a tolerance of %g", tol);
-    IX_TRY(ix__mv_no_power(ctx, m, &cur));
-    g.c = &c;
-    st = ix__bernstein_of(ctx, cur, &c);
-    if (st == IX_OK)
-        st = make_grid(&g, out);
-    ix_mv_unref(ctx, cur);
-    return st;
+    return grid_of(&g, m, out);
+}
+
+ix_status ix__tess_grid_even(ix_ctx *ctx, const ix_mv *m, const int *steps,
+                             ix__tess_grid *out)
+{
+    gridder g = {.ctx = ctx, .tol = HUGE_VAL, .steps = steps};
+
+    for (int d = 0; d < m->ndirs; d++)
+        if (steps[d] < 1)
+            return IX_FAIL(ctx, IX_EARG, "%d steps", steps[d]);
+    return grid_of(&g, m, out);
 }

@@ -69,6 +69,11 @@ double ix__tess_param(const ix__tess_dir *d, int64_t x);
 ix_status ix__tess_grid_of(ix_ctx *ctx, const ix_mv *m, double tol,
                            ix__tess_grid *out) IX_MUST_CHECK;
 
+/* Equal steps in each direction, steps[ndirs] for the whole domain, and the
+ * breaks of spans; no tolerance. Err IX_EARG steps below 1. */
+ix_status ix__tess_grid_even(ix_ctx *ctx, const ix_mv *m, const int *steps,
+                             ix__tess_grid *out) IX_MUST_CHECK;
+
 /* All triangles of a grid. */
 ix_status ix__mesh_of_grid(ix_ctx *ctx, const ix__tess_grid *g,
                            ix__mesh *out) IX_MUST_CHECK;

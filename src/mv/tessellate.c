@@ -159,6 +159,16 @@ ix_status ix__mesh_grid(ix_ctx *ctx, const ix_mv *srf, double tol,
     return ix__tess_grid_of(ctx, srf, tol, *out);
 }
 
+ix_status ix__mesh_grid_even(ix_ctx *ctx, const ix_mv *srf, const int steps[2],
+                             ix__tess_grid **out)
+{
+    if (srf->ndirs != 2)
+        return IX_FAIL(ctx, IX_EARG, "%d directions are not a surface",
+                       srf->ndirs);
+    IX_SCRATCH(ctx, *out, 1);
+    return ix__tess_grid_even(ctx, srf, steps, *out);
+}
+
 static ix_status mesh_of_srf(ix_ctx *ctx, const ix_mv *srf, double tol,
                              ix__mesh *out)
 {
@@ -233,13 +243,17 @@ static void put_lines(const ix__tess_grid *g, ix__lines *out)
     out->start[line] = n;
 }
 
+/* tol, or if steps > 0 these. */
 static ix_status lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
-                              ix__lines *out)
+                              int steps, ix__lines *out)
 {
     size_t nlines, npts;
     ix__tess_grid g;
 
-    IX_TRY(ix__tess_grid_of(ctx, crv, tol, &g));
+    if (steps > 0)
+        IX_TRY(ix__tess_grid_even(ctx, crv, &steps, &g));
+    else
+        IX_TRY(ix__tess_grid_of(ctx, crv, tol, &g));
     count_lines(&g, &nlines, &npts);
     IX_TRY(ix__lines_alloc(ctx, nlines, npts, out));
     put_lines(&g, out);
@@ -248,14 +262,29 @@ static ix_status lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
     return IX_OK;
 }
 
-ix_status ix__lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
-                           ix__lines *out)
+static ix_status check_curve(ix_ctx *ctx, const ix_mv *crv, ix__lines *out)
 {
     *out = (ix__lines){0};
     if (crv->ndirs != 1)
         return IX_FAIL(ctx, IX_EARG, "%d directions are not a curve",
                        crv->ndirs);
-    IX_RETURN_SCOPED(ctx, lines_of_crv(ctx, crv, tol, out));
+    return IX_OK;
+}
+
+ix_status ix__lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
+                           ix__lines *out)
+{
+    IX_TRY(check_curve(ctx, crv, out));
+    IX_RETURN_SCOPED(ctx, lines_of_crv(ctx, crv, tol, 0, out));
+}
+
+ix_status ix__lines_even(ix_ctx *ctx, const ix_mv *crv, int steps,
+                         ix__lines *out)
+{
+    IX_TRY(check_curve(ctx, crv, out));
+    if (steps < 1)
+        return IX_FAIL(ctx, IX_EARG, "%d steps", steps);
+    IX_RETURN_SCOPED(ctx, lines_of_crv(ctx, crv, 1, steps, out));
 }
 
 void ix__lines_free(ix_ctx *ctx, ix__lines *l)

@@ -47,6 +47,9 @@ typedef struct {
 typedef struct ix__tess_grid ix__tess_grid;
 ix_status ix__mesh_grid(ix_ctx *ctx, const ix_mv *srf, double tol,
                         ix__tess_grid **out) IX_MUST_CHECK;
+/* The same in equal steps, so many for the domain; a new one at each knot. */
+ix_status ix__mesh_grid_even(ix_ctx *ctx, const ix_mv *srf, const int steps[2],
+                             ix__tess_grid **out) IX_MUST_CHECK;
 /* Triangles of the part of the surface that an odd number of loops encloses
  * (all of it without loops). Each lies in one cell of the grid, so that its
  * error is bounded as that of the whole surface is. Vertices on the border of
@@ -61,10 +64,12 @@ ix_status ix__mesh_of_part(ix_ctx *ctx, const ix_mv *srf,
 
 /* Parameters of a trimming curve, sorted, in scratch: the polyline through them
  * stays, on the surface, within tol of the curve (by the largest first
- * derivatives of the surface). The curve's own domain; its ends are among them.
- * Err IX_EDOMAIN the curve has poles. */
+ * derivatives of the surface); if steps > 0, they are as many equal ones. The
+ * curve's own domain; its ends are among them. Err IX_EDOMAIN the curve has
+ * poles. */
 ix_status ix__trim_samples(ix_ctx *ctx, const ix__tess_grid *g, const ix_mv *uv,
-                           double tol, size_t *n, double **t) IX_MUST_CHECK;
+                           double tol, int steps, size_t *n,
+                           double **t) IX_MUST_CHECK;
 /* Where parameters are in the grid, in integers: points at the same place
  * become one vertex. Is one of the two on a line of the grid? */
 void ix__trim_place(const ix__tess_grid *g, const double uv[2], int64_t x[2]);
@@ -89,6 +94,10 @@ typedef struct {
 /* Errors as ix__mesh_of_srf. */
 ix_status ix__lines_of_crv(ix_ctx *ctx, const ix_mv *crv, double tol,
                            ix__lines *out) IX_MUST_CHECK;
+/* In equal steps, so many for the domain; a new one at each knot. Straight
+ * spans get their ends only. Err IX_EARG steps below 1. */
+ix_status ix__lines_even(ix_ctx *ctx, const ix_mv *crv, int steps,
+                         ix__lines *out) IX_MUST_CHECK;
 /* Room for them, not filled. */
 ix_status ix__lines_alloc(ix_ctx *ctx, size_t nlines, size_t npts,
                           ix__lines *out) IX_MUST_CHECK;

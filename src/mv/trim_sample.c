@@ -12,12 +12,15 @@
 /* A step of the curve du, dv moves its image by at most slope0 |du| + slope1
  * |dv|, at most sqrt 2 times the step of the curve that is scaled by the
  * slopes. */
-static ix_status sample(ix_ctx *ctx, const ix_mv *scaled, double tol, size_t *n,
-                        double **t)
+static ix_status sample(ix_ctx *ctx, const ix_mv *scaled, double tol, int steps,
+                        size_t *n, double **t)
 {
     ix__lines l;
 
-    IX_TRY(ix__lines_of_crv(ctx, scaled, tol / sqrt(2), &l));
+    if (steps > 0)
+        IX_TRY(ix__lines_even(ctx, scaled, steps, &l));
+    else
+        IX_TRY(ix__lines_of_crv(ctx, scaled, tol / sqrt(2), &l));
     *n = l.npts;
     *t = ix__scratch(ctx, l.npts, sizeof **t);
     if (*t)
@@ -50,7 +53,7 @@ static ix_status scaled_curve(ix_ctx *ctx, const ix__tess_grid *g,
 }
 
 ix_status ix__trim_samples(ix_ctx *ctx, const ix__tess_grid *g, const ix_mv *uv,
-                           double tol, size_t *n, double **t)
+                           double tol, int steps, size_t *n, double **t)
 {
     ix_status st;
     ix_mv *scaled;
@@ -64,7 +67,7 @@ ix_status ix__trim_samples(ix_ctx *ctx, const ix__tess_grid *g, const ix_mv *uv,
         return IX_FAIL(ctx, IX_EUNABLE,
                        "the derivatives of a trimmed surface are not bounded");
     IX_TRY(scaled_curve(ctx, g, uv, &scaled));
-    st = sample(ctx, scaled, tol, n, t);
+    st = sample(ctx, scaled, tol, steps, n, t);
     ix_mv_unref(ctx, scaled);
     return st;
 }

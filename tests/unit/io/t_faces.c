@@ -286,7 +286,7 @@ static void check(simple *s, double tol, long euler)
         ix_mv_domain(s->srf, d, dom);
         size *= dom[1] - dom[0];
     }
-    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s->face, tol, &g));
+    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s->face, tol, NULL, &g));
     assert_true(inner_error(s->srf, g) <= tol * (1 + SLACK));
     err = border_error(g, s->face.nloops, xyz, &chi);
     assert_true(err <= tol * (1 + SLACK));
@@ -379,7 +379,7 @@ static void test_crossing(void **state)
         eight = polyline(m, 5, xy);
         make_simple(&s, m, 1, &eight);
         free(dense(&s, &area));
-        ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s.face, .1, &g));
+        ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s.face, .1, NULL, &g));
         /* two triangles of .8 by .34, on the way of the diagonals */
         {
             double du[2], dv[2];
@@ -411,7 +411,7 @@ static void test_outside(void **state)
     make_simple(&s, m, 1, &uv);
     ix_mv_domain(m, 0, du);
     ix_mv_domain(m, 1, dv);
-    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s.face, .1, &g));
+    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s.face, .1, NULL, &g));
     assert_true(fabs(covered(g) / ((du[1] - du[0]) * (dv[1] - dv[0])) - .25) <
                 1e-8);
     ix__mesh_free(ctx, g);
@@ -522,7 +522,7 @@ static void test_model(void **state)
     assert_int_equal(face[0].nloops, 1);
     assert_int_equal(face[1].loop[0].n, 2);
     assert_true(face[1].loop[0].curve[0].back);
-    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 2, face, 2e-4, &g));
+    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 2, face, 2e-4, NULL, &g));
     for (int f = 0; f < 2; f++)
         n[f] = edge_points(&g[f], p[f]);
     assert_true(n[0] > 40);
@@ -576,7 +576,7 @@ static void test_can(void **state)
     ASSERT_OK(ctx, ix__itd_read(ctx, "t", CAN, strlen(CAN), &o));
     ASSERT_OK(ctx, ix__faces_of_model(ctx, o->u.model.item[0], &face));
     assert_true(face[1].reversed && !face[0].reversed && !face[2].reversed);
-    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 3, face, tol, &g));
+    ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 3, face, tol, NULL, &g));
     e = malloc(3 * sizeof *e * (g[0].ntris + g[1].ntris + g[2].ntris));
     assert_non_null(e);
     for (int f = 0; f < 3; f++)
@@ -659,7 +659,7 @@ static ix_status work(ix_ctx *c, void *state)
     ix_status st = ix__faces_of_model(c, in->o->u.model.item[0], &face);
 
     if (st == IX_OK)
-        st = ix__mesh_of_faces(c, 2, face, .02, &g);
+        st = ix__mesh_of_faces(c, 2, face, .02, NULL, &g);
     if (st == IX_OK)
         memcpy(in->g, g, sizeof in->g);
     ix__scratch_release(c, mk);
