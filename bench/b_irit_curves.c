@@ -1,0 +1,113 @@
+/* b_irit_curves.c - operators on planar curves called from scripts, with the
+ * input of the scripts by which IRIT 11 was timed (10 and 20 knots) or like it
+ * (100 knots). Its times, in the default mode of products and in the fastest
+ * one, are in the names: another machine's, for the order of magnitude. */
+#define _POSIX_C_SOURCE 200809L
+#include "bench.h"
+
+#include <string.h>
+
+#include "lang/interp.h"
+
+#define CALLS 20 /* in one run of a script */
+
+typedef struct {
+    ix_ctx *ctx;
+    ix_interp *in;
+    char text[200];
+} bench;
+
+static void run_text(void *arg)
+{
+    bench *b = arg;
+
+    ix_bench_ok(b->ctx,
+                ix__interp_run_text(b->in, "bench", b->text, strlen(b->text)));
+}
+
+/* Ordinates of the curve with 10 knots; the others go on at random. */
+static double ordinate(int knots, int i)
+{
+    static const double ten[14] = {0.655,  0.190,  0.762,  -0.361, -0.805,
+                                   -0.629, -0.907, 0.415,  0.372,  0.509,
+                                   0.562,  -0.750, -0.872, 0.318};
+    static unsigned state = 1;
+
+    if (knots == 10)
+        return ten[i];
+    state = i == 0 ? 1 : state * 1103515245u + 12345u;
+    return (double)(state >> 16 & 1023) / 512 - 1;
+}
+
+/* The cubic B-spline with that many simple knots, as variable C. */
+static void define(bench *b, int knots)
+{
+    static char text[20000];
+    int n = 0;
+
+    n += snprintf(text + n, sizeof text - (size_t)n, "c = cbspline(4, list(");
+    for (int i = 0; i < knots + 4; i++)
+        n += snprintf(text + n, sizeof text - (size_t)n,
+                      "%sctlpt(E2, %.1f, %.3f)", i ? ", " : "", 0.5 * i,
+                      ordinate(knots, i));
+    snprintf(text + n, sizeof text - (size_t)n, "), list(KV_OPEN));");
+    ix_bench_ok(b->ctx,
+                ix__interp_run_text(b->in, "bench", text, strlen(text)));
+}
+
+typedef struct {
+    int knots; /* 0: an ellipse of four arcs; 1: a cubic Bezier curve */
+    const char *call, *irit;
+} row;
+
+static void time_row(bench *b, const row *r)
+{
+    static const char ellipse[] = "c = circle(vector(0, 0, 0), 1) * sx(2);";
+    static const char cubic[] =
+        "c = cbezier(list(ctlpt(E2, -1, 0.5), ctlpt(E2, -0.5, -2), ctlpt(E2, "
+        "0, 1), ctlpt(E2, 1, 0)));";
+    char name[100];
+
+    if (r->knots > 1)
+        define(b, r->knots);
+    else
+        ix_bench_ok(b->ctx, ix__interp_run_text(
+                                b->in, "bench", r->knots ? cubic : ellipse,
+                                strlen(r->knots ? cubic : ellipse)));
+    snprintf(b->text, sizeof b->text, "for (ii = 1, 1, %d, r = %s);", CALLS,
+             r->call);
+    snprintf(name, sizeof name, "%s, %d knots (IRIT %s)", r->call, r->knots,
+             r->irit);
+    if (r->knots < 2)
+        snprintf(name, sizeof name, "%s, %s (IRIT %s)", r->call,
+                 r->knots ? "cubic" : "ellipse", r->irit);
+    ix_bench(name, run_text, b, CALLS, "call");
+}
+
+int main(void)
+{
+    static const ix_interp_opts none;
+    static const row rows[] = {{1, "evolute(c)", "9.18 us, 9.96 us"},
+                               {10, "evolute(c)", "9.31 ms, 2.23 ms"},
+                               {20, "evolute(c)", "40.8 ms, 9.37 ms"},
+                               {100, "evolute(c)", "5.44 s, 1.14 s"},
+                               {200, "evolute(c)", "-, 18.9 s"},
+                               {100, "ccrvtr(c, 1e-6, 1)", "5.71 s, 4.86 s"},
+                               {1, "ccrvtr(c, 1e-6, 2)", "18.3 us"},
+                               {10, "ccrvtr(c, 1e-6, 2)", "9.76 ms"},
+                               {24, "ccrvtr(c, 1e-6, 2)", "61.9 ms"},
+                               {99, "ccrvtr(c, 1e-6, 2)", "2.52 s"},
+                               {0, "ccrvtr(c, 1e-6, 2)", "248 ms"},
+                               {99, "cinflect(c, 1e-6, 2)", "3.53 ms"}};
+    bench b = {.ctx = ix_ctx_new(NULL, NULL)};
+
+    if (!b.ctx)
+        return 1;
+    ix_ctx_set_threads(b.ctx, 1);
+    ix_bench_ok(b.ctx, ix__interp_new(b.ctx, &none, &b.in));
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        time_row(&b, &rows[i]);
+    ix__interp_free(b.in);
+    ix_ctx_free(b.ctx);
+    return 0;
+}
