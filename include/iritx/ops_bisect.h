@@ -144,6 +144,19 @@ ix_status ix_pt_srf_bisector(ix_ctx *ctx, const ix_mv *srf, const double q[3],
                              const ix_op_opts *o, ix_report *rep,
                              ix_mv **out) IX_MUST_CHECK;
 
+/* The finite parts of a rational multivariate: boxes of its domain over which
+ * the weights of the control points have one sign, which proves that there is
+ * no pole, found by halving the directions in turn.
+ *
+ * In    depth  halvings of a part, 0 .. 12
+ *       reach  > 0: only parts whose control points have no coordinate beyond
+ *              it, so that neither has the part; 0: any
+ * Out   *out   B-splines that keep their part of the domain, with these
+ *              intervals; none, if there is no such part; ix_mv_pieces_free
+ * Err   IX_EARG depth, reach */
+ix_status ix_finite_pieces(ix_ctx *ctx, const ix_mv *m, int depth, double reach,
+                           ix_mv_pieces *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -166,6 +166,32 @@ static ix_status sbisector(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+/* --- poles -----------------------------------------------------------------
+ */
+
+static ix_status fffinite(ix_call *c)
+{
+    ix_obj *list;
+    ix_mv_pieces p;
+    ix_status st;
+    int depth;
+
+    IX_TRY(ix__arg_int(c, 1, 0, 12, &depth));
+    if (!(ix__arg_num(c, 2) >= 0))
+        return IX_ARG_FAIL(c, 2, "a reach of %g; 0 is without bound",
+                           ix__arg_num(c, 2));
+    IX_TRY(ix_finite_pieces(c->ctx, ix__arg_mv(c, 0), depth, ix__arg_num(c, 2),
+                            &p));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (size_t i = 0; st == IX_OK && i < p.count; i++)
+        st = ix__list_add(
+            c->ctx, list,
+            ix__obj_mv(c->ctx, c->argv[0]->type, ix_mv_ref(p.piece[i])));
+    ix_mv_pieces_free(c->ctx, &p);
+    return ix__ret_list(c, list, st);
+}
+
 /* --- table -----------------------------------------------------------------
  */
 
@@ -193,4 +219,9 @@ const ix_builtin ix__builtins_bisect3d[] = {
      "s = sbezier(list(list(point(0,0,0), point(1,0,1)), list(point(0,1,1), "
      "point(1,1,0)))); b = sbisector(s, point(1, 1, 5));",
      sbisector, 0, 21},
+    {"FFFINITE", "x:freeform depth:num reach:num -> list",
+     "The parts of x that are proven finite (weights of one sign), within "
+     "reach in every coordinate if that is not 0, by at most depth halvings; "
+     "each keeps its domain.",
+     PAIR "l = fffinite(cbisector3d(list(a, b), 1), 8, 10);", fffinite, 0, 10},
     {0}};
