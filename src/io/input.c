@@ -203,3 +203,16 @@ size_t ix__input_piece(const ix__input *s)
 {
     return s->piece;
 }
+
+ix_status ix__input_text(ix_ctx *ctx, const char *name, const char *data,
+                         size_t n, ix__read_fn read, ix_obj **out)
+{
+    ix__input *s;
+    ix_status st;
+
+    *out = NULL;
+    IX_TRY(ix__input_memory(ctx, name, data, n, 0, &s));
+    st = read(s, out);
+    ix__input_close(s);
+    return st;
+}

@@ -18,6 +18,11 @@ ix_status ix__input_file(ix_ctx *ctx, const char *name,
 ix_status ix__input_memory(ix_ctx *ctx, const char *name, const char *data,
                            size_t n, size_t piece,
                            ix__input **out) IX_MUST_CHECK;
+/* What read makes of a text in memory. */
+typedef ix_status (*ix__read_fn)(ix__input *s, ix_obj **out);
+ix_status ix__input_text(ix_ctx *ctx, const char *name, const char *data,
+                         size_t n, ix__read_fn read,
+                         ix_obj **out) IX_MUST_CHECK;
 /* The same text from its start, to be closed before s. */
 ix_status ix__input_again(const ix__input *s, ix__input **out) IX_MUST_CHECK;
 void ix__input_close(ix__input *s); /* s may be NULL */

@@ -409,12 +409,5 @@ ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
 ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
                        size_t n, ix_obj **out)
 {
-    ix__input *s;
-    ix_status st;
-
-    *out = NULL;
-    IX_TRY(ix__input_memory(ctx, fname, text, n, 0, &s));
-    st = ix__itd_read_from(s, out);
-    ix__input_close(s);
-    return st;
+    return ix__input_text(ctx, fname, text, n, ix__itd_read_from, out);
 }

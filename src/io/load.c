@@ -7,7 +7,6 @@
 #include "io/export.h"
 #include "io/input.h"
 
-typedef ix_status (*read_fn)(ix__input *s, ix_obj **out);
 typedef ix_status (*write_fn)(ix_buf *b, const ix_obj *o,
                               const ix_write_opts *w);
 
@@ -28,7 +27,7 @@ static ix_status write_xml(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
 /* Suffixes that mean something; without functions: known, not supported. */
 static const struct format {
     const char *suffix;
-    read_fn read;
+    ix__read_fn read;
     write_fn write;
 } formats[] = {
     {"itd", ix__itd_read_from, write_itd},
@@ -137,7 +136,7 @@ static ix_status resolve(const char *name, ix_buf *b)
 static ix_status load_file(ix_ctx *ctx, const char *name, ix_obj **out)
 {
     const struct format *f = find_format(name);
-    read_fn reader = f ? f->read : ix__itd_read_from;
+    ix__read_fn reader = f ? f->read : ix__itd_read_from;
     ix__input *s;
     ix_status st;
 

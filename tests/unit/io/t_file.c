@@ -8,6 +8,8 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "harness/fault.h"
@@ -49,15 +51,20 @@ static int make_folder(void **state)
     return mkdtemp(folder) ? 0 : -1;
 }
 
-static int remove_folder(void **state)
+static void remove_all(void)
 {
     DIR *dir = opendir(folder);
 
-    (void)state;
     for (struct dirent *e; dir && (e = readdir(dir));)
         if (e->d_name[0] != '.' || strlen(e->d_name) > 2)
             (void)remove(in_folder(e->d_name));
     closedir(dir);
+}
+
+static int remove_folder(void **state)
+{
+    (void)state;
+    remove_all();
     return rmdir(folder);
 }
 
@@ -153,6 +160,29 @@ static void test_unreadable(void **state)
     ix_ctx_free(ctx);
 }
 
+/* 1.2 MB of text and more; the digits of random numbers do not repeat. */
+static ix_obj *large(ix_ctx *ctx)
+{
+    enum { N = 1000 };
+    const ix_dir dir = {IX_BEZIER, N, N, false, NULL};
+    static double pts[3 * N];
+    ix_obj *list = ix__obj_list(ctx);
+    ix_rng r = ix_rng_new(8);
+
+    for (int i = 0; i < 20; i++) {
+        ix_mv *m;
+        ix_obj *o;
+
+        for (int k = 0; k < 3 * N; k++)
+            pts[k] = ix_rng_range(&r, -1, 1);
+        ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 3, false, pts, &m));
+        o = ix__obj_mv(ctx, IX_OBJ_CURVE, m);
+        ASSERT_OK(ctx, ix__obj_append(ctx, list, o));
+        ix__obj_unref(ctx, o);
+    }
+    return list;
+}
+
 /* --- all or nothing --------------------------------------------------- */
 
 static void expect_unwritable(ix_ctx *ctx, const char *name,
@@ -235,6 +265,37 @@ static void test_cancel(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Law: a process that is killed while it saves leaves the old file or the new
+ * one, whole; the next one saves as if nothing had happened. */
+static void test_killed(void **state)
+{
+    ix_rng r = ix_rng_new(12);
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_obj *o = large(ctx), *p;
+
+    (void)state;
+    ASSERT_OK(ctx, ix__save(ctx, in_folder("kill.itd"), o, NULL));
+    for (int i = 0; i < 10; i++) {
+        const struct timespec wait = {0, ix_rng_int(&r, 0, 8000000)};
+        pid_t child = fork();
+
+        assert_true(child >= 0);
+        if (child == 0)
+            for (;;)
+                if (ix__save(ctx, in_folder("kill.itd"), o, NULL) != IX_OK)
+                    _exit(1);
+        (void)nanosleep(&wait, NULL);
+        assert_int_equal(kill(child, SIGKILL), 0);
+        assert_int_equal(waitpid(child, NULL, 0), child);
+        ASSERT_OK(ctx, ix__load(ctx, in_folder("kill.itd"), NULL, &p));
+        assert_int_equal(p->u.list.n, o->u.list.n);
+        ix__obj_unref(ctx, p);
+    }
+    ix__obj_unref(ctx, o);
+    ix_ctx_free(ctx);
+    remove_all(); /* what it wrote beside */
+}
+
 /* --- load and save ---------------------------------------------------- */
 
 static void expect_saved_as(ix_ctx *ctx, const char *name, const char *file)
@@ -303,29 +364,6 @@ static void test_save_refuses(void **state)
 }
 
 /* --- memory ----------------------------------------------------------- */
-
-/* 1.2 MB of text and more; the digits of random numbers do not repeat. */
-static ix_obj *large(ix_ctx *ctx)
-{
-    enum { N = 1000 };
-    const ix_dir dir = {IX_BEZIER, N, N, false, NULL};
-    static double pts[3 * N];
-    ix_obj *list = ix__obj_list(ctx);
-    ix_rng r = ix_rng_new(8);
-
-    for (int i = 0; i < 20; i++) {
-        ix_mv *m;
-        ix_obj *o;
-
-        for (int k = 0; k < 3 * N; k++)
-            pts[k] = ix_rng_range(&r, -1, 1);
-        ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 3, false, pts, &m));
-        o = ix__obj_mv(ctx, IX_OBJ_CURVE, m);
-        ASSERT_OK(ctx, ix__obj_append(ctx, list, o));
-        ix__obj_unref(ctx, o);
-    }
-    return list;
-}
 
 /* Law: beside the objects, no file takes more than 1 MB, to save or to load. */
 static void test_bounded(void **state)
@@ -398,7 +436,8 @@ int main(void)
         cmocka_unit_test(test_unreadable), cmocka_unit_test(test_unwritable),
         cmocka_unit_test(test_full),       cmocka_unit_test(test_cancel),
         cmocka_unit_test(test_suffixes),   cmocka_unit_test(test_save_refuses),
-        cmocka_unit_test(test_bounded),    cmocka_unit_test(test_faults)};
+        cmocka_unit_test(test_bounded),    cmocka_unit_test(test_killed),
+        cmocka_unit_test(test_faults)};
 
     return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
