@@ -85,6 +85,28 @@ ix_status ix_crv_antipodal(ix_ctx *ctx, const ix_mv *c,
 ix_status ix_crv_bitangents(ix_ctx *ctx, const ix_mv *c,
                             ix_solutions *out) IX_MUST_CHECK;
 
+/* --- pairs of points of one surface -----------------------------------------
+ */
+
+/* Curves (u1, v1, u2, v2) of pairs of different parameters with one point: the
+ * self-intersections of a surface, each once; tol as in ix_curves_opts. Every
+ * point's meeting with itself is divided out algebraically, within a patch,
+ * across common edges of patches and across seams. An edge that is one point
+ * (a pole) is not looked at: points of it meet everywhere.
+ *
+ * Out   *out    freed with ix_solution_curves_free; complete is false if a pair
+ *               of patches overlaps over an area, or nearly
+ * Err   IX_EARG not a Bezier or B-spline surface of at most 3 coordinates and
+ *               orders 2 or more
+ * Num   pairs whose boxes of control points are apart are not looked at
+ * Src   Pekerman, Elber & Kim 2008 (elimination of the diagonal) */
+ix_status ix_srf_self_meet(ix_ctx *ctx, const ix_mv *srf, double tol,
+                           ix_solution_curves *out) IX_MUST_CHECK;
+/* Pairs (u1, v1, u2, v2) whose chord is normal to the surface at both ends,
+ * each once; self-intersections are left out. Err as above. */
+ix_status ix_srf_antipodal(ix_ctx *ctx, const ix_mv *srf,
+                           ix_solutions *out) IX_MUST_CHECK;
+
 /* --- curves along each other ------------------------------------------------
  */
 

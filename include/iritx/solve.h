@@ -122,6 +122,10 @@ typedef struct {
     double cell;      /* as in ix_solve_opts; 0: 1e-6 */
     size_t max_boxes; /* 0: 1 million */
     bool keep;        /* as in ix_solve_opts */
+    int checks; /* the last so many relations only leave out cells in which
+                   they cannot hold: what the curves that are wanted
+                   fulfil, and a set of other solutions does not. Curves
+                   on which they fail elsewhere are not cut */
 } ix_curves_opts;
 
 typedef enum {
@@ -155,7 +159,8 @@ typedef struct {
                          cover it are larger than cell */
 } ix_solution_curves;
 
-/* The solution set of unknowns - 1 equations (2 to 4 unknowns).
+/* The solution set of unknowns - 1 equations (2 to 4 unknowns), and o->checks
+ * further relations.
  *
  * Err   as ix_solve
  * Num   every regular arc is found: cells on which one coordinate is proven to

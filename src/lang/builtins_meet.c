@@ -81,9 +81,13 @@ static ix_status ret_points(ix_call *c, ix_solutions *s)
 
 static ix_status antipodal(ix_call *c)
 {
+    const ix_mv *m = ix__arg_mv(c, 0);
     ix_solutions s;
 
-    IX_TRY(ix_crv_antipodal(c->ctx, ix__arg_mv(c, 0), &s));
+    if (m->ndirs == 2)
+        IX_TRY(ix_srf_antipodal(c->ctx, m, &s));
+    else
+        IX_TRY(ix_crv_antipodal(c->ctx, m, &s));
     return ret_solutions(c, &s);
 }
 
@@ -155,18 +159,6 @@ static ix_status ret_crossings(ix_call *c, const ix_mv *m, ix_solutions *s)
     }
     ix_solutions_free(c->ctx, s);
     return ix__ret_list(c, list, st);
-}
-
-static ix_status selfinter(ix_call *c)
-{
-    const ix_mv *m = ix__arg_mv(c, 0);
-    ix_solutions s;
-
-    IX_TRY(ix_crv_self_meet(c->ctx, m, &s));
-    if (!ix__arg_bool(c, 4))
-        return ret_solutions(c, &s);
-    remark_open(c, &s);
-    return ret_crossings(c, m, &s);
 }
 
 /* --- several freeforms
@@ -378,6 +370,40 @@ static ix_status ssinter(ix_call *c)
     return ix__ret_list(c, list, st);
 }
 
+/* --- one freeform with itself
+ * ------------------------------------------------- */
+
+/* Curves of a surface in space, or in both pairs of parameters. */
+static ix_status srf_selfinter(ix_call *c, const ix_mv *m)
+{
+    double step = fabs(ix__arg_num(c, 1));
+    ix_solution_curves s;
+    ix_status st = IX_OK;
+
+    /* chords of that length on a circle as large as the domain */
+    IX_TRY(ix_srf_self_meet(c->ctx, m, fmin(fmax(step * step / 8, 1e-6), 1e-2),
+                            &s));
+    remark_curves(c, &s);
+    if (s.ncurves > 0)
+        st = meeting_lines(c, &s, m, ix__arg_bool(c, 4));
+    ix_solution_curves_free(c->ctx, &s);
+    return st;
+}
+
+static ix_status selfinter(ix_call *c)
+{
+    const ix_mv *m = ix__arg_mv(c, 0);
+    ix_solutions s;
+
+    if (m->ndirs == 2)
+        return srf_selfinter(c, m);
+    IX_TRY(ix_crv_self_meet(c->ctx, m, &s));
+    if (!ix__arg_bool(c, 4))
+        return ret_solutions(c, &s);
+    remark_open(c, &s);
+    return ret_crossings(c, m, &s);
+}
+
 static ix_status ciextreme(ix_call *c)
 {
     ix_solutions s;
@@ -478,9 +504,10 @@ static ix_status hausdorff(ix_call *c)
     "list(point(0,1,0.5), point(2,1,0.5)))); "
 
 const ix_builtin ix__builtins_meet[] = {
-    {"ANTIPODAL", "c:curve subdiv:num numer:num -> list",
+    {"ANTIPODAL", "x:curve|surface subdiv:num numer:num -> list",
      "Pairs of parameters whose points are connected by a line that is normal "
-     "to the curve at both, as control points.",
+     "to the curve or surface at both, as control points (t1, t2) or (u1, v1, "
+     "u2, v2), each pair once; the tolerances are not needed.",
      "l = antipodal(circle(vector(0, 0, 0), 1) * sx(2), 0.01, -1e-8);",
      antipodal, IX_B_SOFT, 22},
     {"CRV2TANS", "c:curve fineness:num -> list",
@@ -495,9 +522,13 @@ const ix_builtin ix__builtins_meet[] = {
      "longest (1), or the list of all (2).",
      "q = crvdiamtr(circle(vector(0, 0, 0), 1) * sx(2), 0.01, 1e-8, 1);",
      crvdiamtr, 0, 9},
-    {"SELFINTER", "c:curve subdiv:num numer:num mindev:num euclid:bool -> list",
-     "Self-intersections of a planar curve as pairs of parameters (control "
-     "points) or, with euclid, as points.",
+    {"SELFINTER",
+     "x:curve|surface subdiv:num numer:num mindev:num euclid:bool -> list|poly",
+     "Self-intersections: of a planar curve as pairs of parameters (control "
+     "points) or, with euclid, as points; of a surface as polylines in space, "
+     "or as a list of polylines (u1, v1, 0) and (u2, v2, 0), with chords of "
+     "about subdiv, and no value if there are none. Points that are their own "
+     "partner are divided out algebraically, whatever mindev is.",
      "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,3,2), ctlpt(E2,-2,2), "
      "ctlpt(E2,1,0))); l = selfinter(c, 0.001, 1e-8, 15, true);",
      selfinter, 0, 22},

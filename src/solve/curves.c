@@ -2,16 +2,15 @@
 #include "mv/mv.h"
 #include "solve/curves_impl.h"
 
-static void set_up(ix_ctx *ctx, const ix_mv *f, const ix_curves_opts *o,
-                   const ix__patches *p, ix__curves *s)
+static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
+                   const ix_curves_opts *o, const ix__patches *p, ix__curves *s)
 {
     ix__task *t = &s->t;
 
-    *s = (ix__curves){.n = f->ndirs, .singular = {.ctx = ctx}};
-    *t = (ix__task){.ctx = ctx,
-                    .neq = f->ndirs - 1,
-                    .nall = f->ndirs - 1,
-                    .keep = o && o->keep};
+    *s = (ix__curves){.n = eq[0].f->ndirs, .singular = {.ctx = ctx}};
+    *t = (ix__task){.ctx = ctx, .nall = neq, .keep = o && o->keep};
+    for (int i = 0; i < neq; i++)
+        t->neq += eq[i].rel == IX_EQUAL_ZERO;
     t->cell = o && o->cell > 0 ? o->cell : 1e-6;
     t->max_boxes = o && o->max_boxes ? o->max_boxes : 1000000;
     s->tol = o && o->tol > 0 ? o->tol : 1e-4;
@@ -35,11 +34,11 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
     if (n < 2 || n > 4)
         return IX_FAIL(ctx, IX_EARG,
                        "curves in %d unknowns; 2 to 4 are possible", n);
-    if (neq != n - 1)
+    if (neq - (o ? o->checks : 0) != n - 1)
         return IX_FAIL(ctx, IX_EARG, "%d equations for a curve in %d unknowns",
-                       neq, n);
+                       neq - (o ? o->checks : 0), n);
     IX_TRY(ix__patches_make(ctx, neq, eq, &p));
-    set_up(ctx, eq[0].f, o, &p, &s);
+    set_up(ctx, neq, eq, o, &p, &s);
     IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
     do {
         ix__patches_take(&p, &s.t.shape, neq, idx, &b);
