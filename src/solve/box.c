@@ -11,8 +11,9 @@
 #define UNIT  (DBL_EPSILON / 2)
 #define HALF  0x1p-26
 #define CROWD 64 /* undecided boxes before the smallest size doubles */
-#define CROWDED \
-    8 /* doublings that tell a curve from many isolated, multiple roots */
+#define CROWDED                                                           \
+    0x1p-9 /* a smallest size that only a curve drives cells to: multiple \
+               points are hidden by rounding in less than that */
 
 void ix__box_measure(const ix__task *t, ix__box *b)
 {
@@ -132,7 +133,7 @@ ix_status ix__open_box(ix__task *t, const ix__box *b, ix__found *f)
     }
     if (++t->open % CROWD == 0) {
         t->cell *= 2;
-        t->crowded |= t->open >= CROWD * CROWDED;
+        t->crowded |= t->cell >= CROWDED;
     }
     return ix__found_add(f, &r);
 }
