@@ -641,10 +641,16 @@ static ix_status list_uses(mesher *m)
 
 static ix_status make_grid(mesher *m, int f)
 {
+    ix_status st;
+
     if (m->steps)
         return ix__mesh_grid_even(m->ctx, m->face[f].srf, m->steps,
                                   &m->grid[f]);
-    return ix__mesh_grid(m->ctx, m->face[f].srf, GRID * m->tol, &m->grid[f]);
+    st = ix__mesh_grid(m->ctx, m->face[f].srf, GRID * m->tol, &m->grid[f]);
+    if (st == IX_EUNABLE) /* the caller knows the whole tolerance only */
+        return IX_FAIL(m->ctx, st,
+                       "the tolerance %g would need too many points", m->tol);
+    return st;
 }
 
 static ix_status sample_all(mesher *m)

@@ -108,6 +108,8 @@ ix_status ix__file_write(ix_ctx *ctx, const char *name, const char *data,
  * resolved (may be NULL) receives the name that was read. */
 ix_status ix__load(ix_ctx *ctx, const char *name, ix_buf *resolved,
                    ix_obj **out) IX_MUST_CHECK;
+/* Does the suffix of that name mean some format, supported or not? */
+bool ix__save_knows(const char *name);
 /* Saves by suffix; ".itd" is added to any name without a known one. */
 ix_status ix__save(ix_ctx *ctx, const char *name, const ix_obj *o,
                    const ix_write_opts *w) IX_MUST_CHECK;

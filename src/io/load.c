@@ -172,6 +172,11 @@ ix_status ix__load(ix_ctx *ctx, const char *name, ix_buf *resolved,
     return st;
 }
 
+bool ix__save_knows(const char *name)
+{
+    return find_format(name) != NULL;
+}
+
 static ix_status save_as(ix_ctx *ctx, const char *name, const struct format *f,
                          const ix_obj *o, const ix_write_opts *w)
 {

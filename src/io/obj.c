@@ -154,12 +154,14 @@ static ix_status put_point(void *arg, const ix_obj *o, const double p[3])
 ix_status ix__obj_file_write(ix_buf *b, const ix_obj *o, const ix_write_opts *w)
 {
     objfile f = {.b = b};
-    const ix__shape_sink sink = {.format = "an OBJ file",
-                                 .mesh = put_mesh,
-                                 .lines = put_lines,
-                                 .poly = put_poly,
-                                 .point = put_point,
-                                 .arg = &f};
+    const ix__shape_sink sink = {
+        .format = "an OBJ file",
+        .holds = "curves, surfaces, models, polygons, points",
+        .mesh = put_mesh,
+        .lines = put_lines,
+        .poly = put_poly,
+        .point = put_point,
+        .arg = &f};
 
     ix__buf_puts(b, "# iritx\n");
     IX_TRY(ix__shapes(b->ctx, o, w ? w->tol : 0, &sink));

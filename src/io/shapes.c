@@ -283,8 +283,9 @@ ix_status ix__shapes(ix_ctx *ctx, const ix_obj *o, double tol,
         IX_TRY(ix__shape_tol(ctx, o, &w.tol));
     IX_TRY(ix__walk_leaves(o, leaf, &w));
     if (w.written == 0)
-        return IX_FAIL(ctx, IX_EARG, "there is nothing that %s can hold",
-                       sink->format);
+        return IX_FAIL(ctx, IX_EARG,
+                       "there is nothing that %s can hold: it takes %s",
+                       sink->format, sink->holds);
     if (w.skipped > 0)
         ix__note(ctx, "%zu shape%s left out: not for %s", w.skipped,
                  w.skipped > 1 ? "s are" : " is", sink->format);

@@ -10,7 +10,8 @@
 /* A writer: its functions get arg; NULL: the format has no such thing. o is
  * the object that the shape comes from, for names and colours. */
 typedef struct {
-    const char *format; /* "STL files", for messages */
+    const char *format; /* "an STL file", for messages */
+    const char *holds;  /* "surfaces, polygons", for messages */
     /* curves and surfaces as they are; else, if NULL, the next two */
     ix_status (*freeform)(void *arg, const ix_obj *o, const ix_mv *m);
     ix_status (*mesh)(void *arg, const ix_obj *o, const ix__mesh *m);

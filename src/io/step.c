@@ -417,25 +417,32 @@ static ix_status put_freeform(void *arg, const ix_obj *o, const ix_mv *m)
     return st;
 }
 
-/* What cannot be trimmed exactly is told and left out. */
+/* What cannot be trimmed exactly is told and left out: so it is written apart
+ * first. */
 static ix_status put_faces(void *arg, const ix_obj *o, int n, const ix__face *f)
 {
-    ix__step *s = arg;
-    size_t at = s->b->len;
-    long next = s->next, plane = s->plane;
+    ix__step *s = arg, before = *s;
+    ix_ctx *ctx = s->b->ctx;
     ix_status st;
+    ix_buf part;
 
     if (n == 1 && f->nloops == 0)
         return put_freeform(arg, o, f->srf);
     take_attributes(s, o);
+    ix__buf_init(&part, ctx);
+    s->b = &part;
     st = ix__step_shell(s, n, f);
+    s->b = before.b;
+    if (st == IX_OK)
+        ix__buf_add(s->b, part.data, part.len);
+    ix__buf_free(&part);
     if (st != IX_EUNABLE && st != IX_EDOMAIN)
-        return st;
-    s->b->len = at;
-    s->next = next;
-    s->plane = plane;
-    ix__note(s->b->ctx, "warning: %.60s is not in the STEP file: %s",
-             o->name ? o->name : "an object", ix_ctx_message(s->b->ctx));
+        return st == IX_OK ? ix__buf_check(s->b) : st;
+    s->next = before.next;
+    s->plane = before.plane;
+    s->degree = before.degree;
+    ix__note(ctx, "warning: %.60s is not in the STEP file: %s",
+             o->name ? o->name : "an object", ix_ctx_message(ctx));
     return IX_OK;
 }
 
@@ -588,12 +595,14 @@ static void tell(const ix__step *s)
 
 static ix_status write_all(ix__step *s, const ix_obj *o, const ix_write_opts *w)
 {
-    const ix__shape_sink sink = {.format = "a STEP file",
-                                 .freeform = put_freeform,
-                                 .faces = put_faces,
-                                 .poly = put_poly,
-                                 .point = put_point,
-                                 .arg = s};
+    const ix__shape_sink sink = {
+        .format = "a STEP file",
+        .holds = "curves, surfaces, models, polygons, points",
+        .freeform = put_freeform,
+        .faces = put_faces,
+        .poly = put_poly,
+        .point = put_point,
+        .arg = s};
 
     put_head(s, o->name ? o->name : "iritx");
     IX_TRY(ix__shapes(s->b->ctx, o, w && w->tol > 0 ? w->tol : 1, &sink));
@@ -602,7 +611,7 @@ static ix_status write_all(ix__step *s, const ix_obj *o, const ix_write_opts *w)
     IX_TRY(ix__buf_check(&s->shells));
     if (s->items.len == 0 && s->shells.len == 0)
         return IX_FAIL(s->b->ctx, IX_EUNABLE,
-                       "nothing is left for a STEP file: the weights vanish");
+                       "nothing is left for a STEP file");
     put_tail(s);
     tell(s);
     return ix__buf_check(s->b);

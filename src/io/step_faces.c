@@ -416,12 +416,6 @@ static ix_status put_surface(shell *h, int f)
                            "the trimmed surface jumps at %c = %g",
                            d ? 'v' : 'u', t);
         }
-    if (ix_mv_has_poles(open)) {
-        ix_mv_unref(h->ctx, open);
-        return IX_FAIL(h->ctx, IX_EUNABLE,
-                       "the weights of the trimmed surface are zero or of both "
-                       "signs");
-    }
     h->surface[f] = ix__step_spline(h->s, open, 3);
     ix_mv_unref(h->ctx, open);
     return IX_OK;
@@ -432,6 +426,10 @@ static ix_status size_of(shell *h)
     for (int f = 0; f < h->n; f++) {
         double lo[IX_MAX_COORDS], hi[IX_MAX_COORDS];
 
+        if (ix_mv_has_poles(h->face[f].srf))
+            return IX_FAIL(h->ctx, IX_EUNABLE,
+                           "the weights of the trimmed surface are zero or of "
+                           "both signs");
         IX_TRY(ix_mv_bbox(h->ctx, h->face[f].srf, lo, hi));
         for (int c = 0; c < ix_mv_ncoords(h->face[f].srf) && c < 3; c++)
             h->size = fmax(h->size, hi[c] - lo[c]);

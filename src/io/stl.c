@@ -151,8 +151,11 @@ static ix_status put_poly(void *arg, const ix_obj *o, const ix_poly *p)
 
 static ix_status write_shapes(stl *s, const ix_obj *o, const ix_write_opts *w)
 {
-    const ix__shape_sink sink = {
-        .format = "an STL file", .mesh = put_mesh, .poly = put_poly, .arg = s};
+    const ix__shape_sink sink = {.format = "an STL file",
+                                 .holds = "surfaces, models, polygons",
+                                 .mesh = put_mesh,
+                                 .poly = put_poly,
+                                 .arg = s};
 
     IX_TRY(ix__shapes(s->b->ctx, o, w ? w->tol : 0, &sink));
     if (s->count == 0)

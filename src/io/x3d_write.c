@@ -5,6 +5,7 @@
 
 #include "io/shapes.h"
 #include "io/x3d_impl.h"
+#include "object/walk.h"
 
 /* --- polygons --------------------------------------------------------- */
 
@@ -234,9 +235,25 @@ static ix_status put_object(ix__x3d *w, const ix_obj *o, ix__x3d_look look)
     return ix__x3d_check(w);
 }
 
+/* Is a leaf geometry that X3D might show? */
+static ix_status look_for_shape(void *arg, const ix_obj *o)
+{
+    bool *any = arg;
+
+    *any = *any || ix__seq_count(o) > 0 || o->type == IX_OBJ_POLY ||
+           o->type == IX_OBJ_POINT || o->type == IX_OBJ_CTLPT;
+    return IX_OK;
+}
+
 static ix_status put_scene(ix__x3d *w, const ix_obj *o)
 {
     const ix__x3d_look plain = {.rgb = {0.8, 0.8, 0.8}};
+    bool any = false;
+
+    IX_TRY(ix__walk_leaves(o, look_for_shape, &any));
+    if (!any)
+        ix__note(w->b->ctx, "warning: there is nothing to be shown in the X3D "
+                            "file: no curve, surface, polygon or point");
 
     ix__buf_puts(w->b, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                        "<X3D profile=\"Interchange\" version=\"4.0\">\n"
