@@ -43,8 +43,10 @@ size_t ix__text_left(const ix__text *t);
 /* Columns count characters, so continuation bytes of UTF-8 do not. */
 ix_status ix__text_place(ix__text *t, size_t at, ix_place *pl) IX_MUST_CHECK;
 /* IX_EPARSE with "name:line:col: error: " and the text. */
-ix_status ix__text_fail(ix__text *t, size_t at, const char *fmt, va_list ap);
+ix_status ix__text_fail(ix__text *t, size_t at, const char *fmt, va_list ap)
+    IX_PRINTF(3, 0);
 /* A note, "name:line:col: warning: " and the text; the first 20 of a file. */
-void ix__text_warn(ix__text *t, size_t at, const char *fmt, va_list ap);
+void ix__text_warn(ix__text *t, size_t at, const char *fmt, va_list ap)
+    IX_PRINTF(3, 0);
 
 #endif

@@ -87,7 +87,7 @@ static const char *skip_until(ix__xml_scan *c, const char *p, const char *end)
 }
 
 /* Of markup in this state that has got to offset at. */
-static bool check_size(const ix__xml_scan *c, int state, size_t at,
+static bool check_size(const ix__xml_scan *c, ix__xml_state state, size_t at,
                        ix__xml_flaw *flaw)
 {
     if (state == IX_XS_TAG && at - c->open > IX_XML_MAX_TAG)
@@ -116,7 +116,7 @@ static bool scan_piece(ix__xml_scan *c, const char *s, size_t n,
     const char *p = s, *end = s + n;
 
     while (p < end) {
-        int state = c->state;
+        ix__xml_state state = c->state;
 
         if (state == IX_XS_TEXT) {
             p = memchr(p, '<', (size_t)(end - p));

@@ -9,9 +9,16 @@ typedef struct {
     size_t at;
 } ix__xml_flaw;
 
+typedef enum {
+    IX_XS_TEXT,
+    IX_XS_OPEN, /* behind a <, while it is not clear what it opens */
+    IX_XS_TAG,
+    IX_XS_UNTIL /* in a comment, an instruction, CDATA */
+} ix__xml_state;
+
 /* Where the look over a text has got to; zeroed before the first piece. */
 typedef struct {
-    enum { IX_XS_TEXT, IX_XS_OPEN, IX_XS_TAG, IX_XS_UNTIL } state;
+    ix__xml_state state;
     size_t done;  /* bytes looked at */
     size_t nodes; /* tags, comments, instructions */
     size_t open;  /* where the present one began */
