@@ -16,6 +16,7 @@ static ix_ctx *ctx_of(const ix_call *c)
     return c->ctx;
 }
 
+IX_PRINTF(3, 0)
 static ix_status fail_with(ix_call *c, ix_status st, const char *fmt,
                            va_list ap)
 {
@@ -26,6 +27,7 @@ static ix_status fail_with(ix_call *c, ix_status st, const char *fmt,
     return st;
 }
 
+IX_PRINTF(3, 4)
 static ix_status fail(ix_call *c, ix_status st, const char *fmt, ...)
 {
     va_list ap;
@@ -36,6 +38,7 @@ static ix_status fail(ix_call *c, ix_status st, const char *fmt, ...)
     return st;
 }
 
+IX_PRINTF(3, 4)
 static ix_status arg_fail(ix_call *c, int i, const char *fmt, ...)
 {
     va_list ap;
@@ -47,6 +50,7 @@ static ix_status arg_fail(ix_call *c, int i, const char *fmt, ...)
     return IX_EARG;
 }
 
+IX_PRINTF(2, 3)
 static void remark(ix_call *c, const char *fmt, ...)
 {
     char text[400];
