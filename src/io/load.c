@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "io/export.h"
+#include "io/ibd.h"
 #include "io/input.h"
 
 typedef ix_status (*write_fn)(ix_buf *b, const ix_obj *o,
@@ -35,7 +36,7 @@ static const struct format {
     {"xml", ix__xml_read_from, write_xml},
     {"x3d", NULL, ix__x3d_write},
     {"x3dz", NULL, ix__x3d_write},
-    {"ibd", NULL, NULL},
+    {"ibd", ix__ibd_read_from, ix__ibd_write},
     {"icd", NULL, NULL},
     {"igs", NULL, NULL},
     {"iges", NULL, NULL},
@@ -102,8 +103,8 @@ static ix_status unsupported(ix_ctx *ctx, const char *name, const char *suffix,
                              const char *done)
 {
     return IX_FAIL(ctx, IX_EARG,
-                   "%.200s: files of type \"%s\" cannot be %s; \"itd\" and "
-                   "\"xml\" can",
+                   "%.200s: files of type \"%s\" cannot be %s; \"itd\", "
+                   "\"ibd\" and \"xml\" can",
                    name, suffix, done);
 }
 
