@@ -74,7 +74,8 @@ ix_status ix_crv_graph(ix_ctx *ctx, const ix_mv *f, bool nodes,
 typedef enum {
     IX_CRV_FLAT,      /* the curvature is zero (in the plane: an inflection if
                          root.before and root.after differ) */
-    IX_CRV_MAX,       /* of the absolute curvature */
+    IX_CRV_MAX,       /* of the absolute curvature; a cusp where it is infinite
+                       */
     IX_CRV_MIN,       /* above 0 */
     IX_CRV_STATIONARY /* the derivative is zero, but neither */
 } ix_crv_mark;
@@ -83,7 +84,8 @@ typedef struct {
     ix_root root; /* of the field; IX_ROOT_JUMP: an extremum at a knot where
                      the derivative changes its sign by a jump */
     ix_crv_mark mark;
-    double curvature; /* absolute, at root.t (from the right at a knot) */
+    double curvature; /* absolute, at root.t (from the right at a knot); NaN at
+                         a cusp or pole */
 } ix_crv_feature;
 
 /* Zeros of the curvature of the curve projected to the xy plane, by increasing
@@ -125,7 +127,8 @@ ix_status ix_crv_normal_field(ix_ctx *ctx, const ix_mv *crv,
  *   planar: (w^2 K p + Q D_r) / (w^3 K), K the inflection field, D = p'w - pw'
  *           (D_r turned by +90 degrees), Q = |D|^2: 3d-3 / 6d-6
  *   space:  (w^2 |V|^2 p + Q V x D) / (w^3 |V|^2), V the direction of the
- *           binormal: 5d-7 / 9d-12
+ *           binormal: 5d-7 / 9d-12; in a plane within rounding V = K n with
+ *           constant n, and the degree is the planar one
  *
  * Out   *out   rational, 2 or 3 coordinates as crv (3 in IX_FORM_IRIT); the
  *              weights add up to a positive number. At an inflection the

@@ -213,6 +213,47 @@ static bool at_flat(const curvature *k, const ix_root *r)
     return false;
 }
 
+/* True if x' is zero at r within its error: a cusp, at which V is zero, too,
+ * but not the curvature. */
+static bool at_cusp(const curvature *k, const ix_root *r)
+{
+    int j = ix__spans_find(&k->c.q.dirs[0], r->t);
+    double q;
+
+    ix__form_eval(&k->c.q, &r->t, &q);
+    return !(q > k->c.eq[j].error);
+}
+
+/* The curvature at t, at most that far from a cusp; NaN where there is none. */
+static double curvature_near(ix_ctx *ctx, const ix_mv *crv, double t)
+{
+    double v;
+
+    return ix_crv_curvature(ctx, crv, t, &v) == IX_OK ? v : (double)NAN;
+}
+
+/* A maximum if the curvature grows towards it on all sides inside the domain;
+ * by steps of 1e-3 and 2e-3 of the span, where the cusp's own shape counts. */
+static ix_crv_feature cusp_feature(ix_ctx *ctx, const ix_mv *crv,
+                                   const curvature *k, const ix_root *r)
+{
+    const ix_spans *sp = &k->c.q.dirs[0];
+    int j = ix__spans_find(sp, r->t);
+    double h = 1e-3 * (sp->breaks[j + 1] - sp->breaks[j]);
+    ix_crv_mark mark = IX_CRV_MAX;
+
+    for (int side = -1; side <= 1; side += 2) {
+        double far = r->t + 2 * side * h;
+
+        if (far < sp->breaks[0] || far > sp->breaks[sp->nspans])
+            continue;
+        if (!(curvature_near(ctx, crv, r->t + side * h) >
+              curvature_near(ctx, crv, far)))
+            mark = IX_CRV_STATIONARY;
+    }
+    return (ix_crv_feature){*r, mark, (double)NAN};
+}
+
 static int by_parameter(const ix_crv_feature *a, const ix_crv_feature *b)
 {
     return (a->root.t > b->root.t) - (a->root.t < b->root.t);
@@ -242,7 +283,9 @@ static ix_status collect(ix_ctx *ctx, const ix_mv *crv, const curvature *k,
     IX_SCRATCH(ctx, b, k->slope.n + 1);
     for (int i = 0; i < k->bend.n; i++)
         if (k->bend.root[i].kind != IX_ROOT_INTERVAL)
-            a[na++] = (ix_crv_feature){k->bend.root[i], IX_CRV_FLAT, 0.0};
+            a[na++] = at_cusp(k, &k->bend.root[i])
+                          ? cusp_feature(ctx, crv, k, &k->bend.root[i])
+                          : (ix_crv_feature){k->bend.root[i], IX_CRV_FLAT, 0.0};
     for (int i = 0; i < k->slope.n; i++) {
         const ix_root *r = &k->slope.root[i];
         ix_crv_feature *x = &b[nb];
@@ -252,7 +295,8 @@ static ix_status collect(ix_ctx *ctx, const ix_mv *crv, const curvature *k,
         if (at_flat(k, r)) {
             if (k->c.dim == 2)
                 continue;
-            *x = (ix_crv_feature){*r, IX_CRV_FLAT, 0.0};
+            *x = at_cusp(k, r) ? cusp_feature(ctx, crv, k, r)
+                               : (ix_crv_feature){*r, IX_CRV_FLAT, 0.0};
         } else {
             *x = (ix_crv_feature){*r, mark_of(k, r), 0.0};
             if (ix_crv_curvature(ctx, crv, r->t, &x->curvature) != IX_OK)

@@ -42,14 +42,69 @@ static ix_status over_weight(ix_ctx *ctx, const ix_curve *c, const ix_form *v,
     return sum_of_products(ctx, &c->p, &vw2, r, &unit, &out->x);
 }
 
+/* The longest of the vectors of Bernstein coefficients double[3][n], its length
+ * made 1; false if all are 0. */
+static bool longest(const double *b, size_t n, double out[3])
+{
+    double most = 0.0;
+
+    for (size_t i = 0; i < n; i++) {
+        const double v[3] = {b[i], b[n + i], b[2 * n + i]};
+
+        if (ix__len3(v) > most) {
+            most = ix__len3(v);
+            memcpy(out, v, sizeof v);
+        }
+    }
+    return most > 0.0 && ix__unit3(out, out) > 0.0;
+}
+
+/* Whether V has one direction throughout, within its error: a planar curve in
+ * space, and the normal of its plane. */
+static ix_status in_plane(ix_ctx *ctx, const ix_curve *c, double normal[3],
+                          bool *yes)
+{
+    size_t n = c->v.n, m = (size_t)c->v.dirs[0].degree + 1;
+    const double *b;
+
+    IX_TRY(ix__form_bernstein(ctx, &c->v, &b));
+    *yes = longest(b, n, normal);
+    for (size_t i = 0; *yes && i < n; i++) {
+        const double v[3] = {b[i], b[n + i], b[2 * n + i]};
+        double off[3];
+
+        ix__cross3(v, normal, off);
+        *yes = ix__len3(off) <= c->ev[i / m].error;
+    }
+    return IX_OK;
+}
+
+/* V = K n with constant n: one factor K cancels, as in the plane. */
+static ix_status minimal_in_plane(ix_ctx *ctx, const ix_curve *c,
+                                  const double normal[3], fraction *out)
+{
+    ix_form n, k, r;
+
+    IX_TRY(ix__form_constant(ctx, &c->p, 3, normal, &n));
+    IX_TRY(ix__form_dot(ctx, &c->v, &n, &k));
+    IX_TRY(ix__form_cross(ctx, &n, &c->d, &r));
+    IX_TRY(ix__form_mul(ctx, &r, &c->q, &r));
+    return over_weight(ctx, c, &k, &r, out);
+}
+
 static ix_status minimal(ix_ctx *ctx, const ix_curve *c, fraction *out)
 {
+    double normal[3];
+    bool planar;
     ix_form r, v;
 
     if (c->dim == 2) {
         IX_TRY(ix__form_turned(ctx, &c->q, &c->d, &r));
         return over_weight(ctx, c, &c->v, &r, out);
     }
+    IX_TRY(in_plane(ctx, c, normal, &planar));
+    if (planar)
+        return minimal_in_plane(ctx, c, normal, out);
     IX_TRY(ix__form_cross(ctx, &c->v, &c->d, &r));
     IX_TRY(ix__form_mul(ctx, &r, &c->q, &r));
     IX_TRY(ix__form_dot(ctx, &c->v, &c->v, &v));

@@ -1,5 +1,6 @@
-/* Special positions, scales, agreement of the degree forms, extrema of the
- * curvature against sampling, and memory, for all operators on curves. */
+/* Special positions, knots and corners, extrema of the curvature against
+ * sampling, and memory, for all operators on curves. That results are right, at
+ * all scales and in all forms, is in t_crv_truth. */
 #include <limits.h>
 #include <string.h>
 
@@ -112,6 +113,41 @@ static void cusp(void **state)
     ix_ctx_free(ctx);
 }
 
+/* The cusps of (t^2, t^3) and (t^2, t^3, t^4) are maxima of the curvature, no
+ * zeros of it, inside and at the end of the domain; an inflection is one. */
+static void cusps_are_no_inflections(void **state)
+{
+    /* Bernstein coefficients over [-1, 1] and [0, 1] of t^2, t^3, t^4 */
+    static const double inside[15] = {1,   0, -1. / 3, 0,  1, -1, .5, 0,
+                                      -.5, 1, 1,       -1, 1, -1, 1};
+    static const double at_end[15] = {0,   0, 1. / 6, .5, 1, 0, 0, 0,
+                                      .25, 1, 0,      0,  0, 0, 1};
+    static const double cubic[8] = {-1, -1. / 3, 1. / 3, 1, -1, 1, -1, 1};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+
+    (void)state;
+    for (int i = 0; i < 5; i++) {
+        ix_mv *c = i == 4 ? bezier(ctx, 4, 2, cubic)
+                          : bezier(ctx, 5, 2 + i / 2, i & 1 ? at_end : inside);
+        double want = i < 4 && i & 1 ? 0 : 0.5;
+        ix_crv_feature *f;
+        int n, near = 0;
+
+        ASSERT_OK(ctx, ix_crv_features(ctx, c, &f, &n));
+        for (int k = 0; k < n; k++)
+            if (fabs(f[k].root.t - want) <= 1e-6) {
+                assert_int_equal(f[k].mark, i == 4 ? IX_CRV_FLAT : IX_CRV_MAX);
+                assert_true(i == 4 ? f[k].curvature == 0.0
+                                   : !isfinite(f[k].curvature));
+                near++;
+            }
+        assert_int_equal(near, 1);
+        ix_crv_features_free(ctx, f, n);
+        ix_mv_unref(ctx, c);
+    }
+    ix_ctx_free(ctx);
+}
+
 /* Fields of negative degree are zero; a conic's inflection field is constant
  * and has no zero. */
 static void negative_degrees(void **state)
@@ -143,78 +179,188 @@ static void negative_degrees(void **state)
     ix_ctx_free(ctx);
 }
 
-/* Law: the definitions hold for unit curves far away and for small and large
- * ones. The bound is the rounding of the input (1e-10 of the curve at a
- * distance of 1e6) times the condition of third derivatives, about 1e4. */
-static void scales(void **state)
+/* --- double knots and corners ----------------------------------------------
+ */
+
+/* Cubic with knots of multiplicity 1, 2 (a jump of x'') and 3 (a corner). */
+static ix_mv *knotted(ix_ctx *ctx, ix_rng *r, int nc, bool rational)
 {
-    static const double at[4] = {0, 0, 1e6, 1e6}, size[4] = {1e-6, 1e6, 1, 10};
+    static const double kv[14] = {0, 0, 0, 0, 1, 2, 2, 3, 3, 3, 4, 4, 4, 4};
+    double pts[40];
+
+    for (int i = 0; i < 10; i++) {
+        double angle = 0.5 * i + (i > 6 ? 1 : 0), w = 1;
+        const double x[3] = {cos(angle), sin(angle), 0.4 * angle};
+
+        if (rational)
+            w = ix_rng_range(r, 0.9, 1.2);
+        pts[i] = w;
+        for (int k = 0; k < nc; k++)
+            pts[(k + rational) * 10 + i] = w * x[k];
+    }
+    return make_crv(ctx, 4, 10, kv, rational, nc, pts);
+}
+
+/* The result over the piece [lo, hi] of the curve is that of the whole. */
+static void compare_piece(ix_ctx *ctx, const ix_op *op, const ix_op_args *a,
+                          const ix_op_opts *o, const ix_mv *whole, double lo)
+{
+    ix_op_args part = *a;
+    ix_mv *c, *m;
+
+    ASSERT_OK(ctx, ix_mv_region(ctx, a->mv[0], 0, lo, lo + 1, &c));
+    part.mv[0] = c;
+    ASSERT_OK(ctx, op->run(ctx, &part, o, NULL, &m));
+    for (int i = 0; i < 3; i++) {
+        double tv[2] = {lo + (i + 0.5) / 3, 1}, x[3], y[3], size = 0;
+        int nc = ix_mv_ncoords(m);
+
+        ASSERT_OK(ctx, ix_mv_point(ctx, whole, tv, x));
+        ASSERT_OK(ctx, ix_mv_point(ctx, m, tv, y));
+        for (int k = 0; k < nc; k++)
+            size = fmax(size, fabs(x[k]));
+        for (int k = 0; k < nc; k++)
+            if (!(fabs(x[k] - y[k]) <= 1e-11 * size))
+                fail_msg("%s form %d at %g: %g, of the piece %g", op->name,
+                         o->form, tv[0], x[k], y[k]);
+    }
+    ix_mv_unref(ctx, c);
+    ix_mv_unref(ctx, m);
+}
+
+/* Law: whatever the knots, every operator in every form gives on each span
+ * what it gives for that piece alone; where the curve has a corner the result
+ * has a knot of full multiplicity. (The planes between which the minimal polar
+ * developable lies are those of the whole curve.) */
+static void knots_do_not_matter(void **state)
+{
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
-    ix_rng r = ix_rng_new(92);
+    ix_rng r = ix_rng_new(96);
 
     (void)state;
-    for (int i = 0; i < 8; i++) {
-        crv_kind k = {3, 3, i & 4, 0, at[i % 4], size[i % 4]};
-        double bound = k.at > 0 ? 1e-5 : 1e-9;
-        ix_mv *c = rand_crv(ctx, &r, &k), *out;
-        ix_report rep;
+    for (int i = 0; i < 4; i++) {
+        ix_mv *c = knotted(ctx, &r, 2 + (i & 1), i >> 1);
+        ix_op_args a = {.mv = {c}, .num = {0, 1}};
 
-        ASSERT_OK(ctx, ix_evolute(ctx, c, NULL, &rep, &out));
-        if (!(rep.residual <= bound))
-            fail_msg("evolute %d: %g", i, rep.residual);
-        ix_mv_unref(ctx, out);
-        ASSERT_OK(ctx, ix_focal_crv(ctx, c, NULL, &rep, &out));
-        if (!(rep.residual <= bound))
-            fail_msg("focal curve %d: %g", i, rep.residual);
-        ix_mv_unref(ctx, out);
+        for (const ix_op *op = ix__ops; op->name; op++)
+            for (int form = 0; form < 4; form++) {
+                const ix_op_opts o = {(ix_degree_form)form, INT_MAX};
+                ix_mv *m;
+                ix_dir d;
+                int at_corner = 0;
+
+                if (op->ndirs[0] != 1 || op->ndirs[1] || op->nnums > 2 ||
+                    strcmp(op->name, "PTCRVBISECT") == 0 ||
+                    strcmp(op->name, "FOCALSRF") == 0 ||
+                    !(op->forms >> form & 1) ||
+                    (!(i & 1) && (strcmp(op->name, "FOCALCRV") == 0)))
+                    continue;
+                ASSERT_OK(ctx, op->run(ctx, &a, &o, NULL, &m));
+                for (int lo = 0; lo < 4; lo++)
+                    compare_piece(ctx, op, &a, &o, m, lo);
+                d = ix_mv_dir(m, 0);
+                for (int k = 0; k < d.order + d.length; k++)
+                    at_corner += d.knots[k] == 3;
+                if (at_corner != d.order && strcmp(op->name, "DUALITY") != 0 &&
+                    d.order > 1)
+                    fail_msg("%s form %d: %d knots at the corner, order %d",
+                             op->name, form, at_corner, d.order);
+                ix_mv_unref(ctx, m);
+            }
         ix_mv_unref(ctx, c);
     }
     ix_ctx_free(ctx);
 }
 
-static void point_at(ix_ctx *ctx, const ix_mv *m, double t, double *x)
+/* --- ruled surfaces
+ * ----------------------------------------------------------- */
+
+/* The ruling at t, from its point for r = 0 on. */
+static void ruling_at(ix_ctx *ctx, const ix_mv *s, double t, double *r)
 {
-    x[2] = 0;
-    ASSERT_OK(ctx, ix_mv_point(ctx, m, &t, x));
+    double a[3], b[3], tv[2] = {t, 0};
+
+    ASSERT_OK(ctx, ix_mv_point(ctx, s, tv, a));
+    tv[1] = 1;
+    ASSERT_OK(ctx, ix_mv_point(ctx, s, tv, b));
+    for (int k = 0; k < 3; k++)
+        r[k] = b[k] - a[k];
 }
 
-/* Law: all forms of a curve are one curve, relative to the distance from the
- * origin where that is above 1. */
-static void forms_agree(void **state)
+/* Along a planar curve in space, here z = x / 2, rulings of TANDEVSRF and
+ * NRMLSCROLL are in the plane, those of the others across it: cylinders. */
+static void rulings_of_a_planar_curve(void **state)
 {
+    static const double range[2] = {0, 1};
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
-    ix_rng r = ix_rng_new(93);
+    ix_rng r = ix_rng_new(97);
+    crv_kind k = {4, 3, true, 0, 0, 0};
+    ix_mv *c = gentle_crv(ctx, &r, &k), *plane, *s;
+    double pts[20];
 
     (void)state;
-    for (int i = 0; i < 8; i++) {
-        crv_kind k = {3, 2 + (i & 1), i >> 1 & 1, i & 4 ? 3 : 0, 0, 0};
-        ix_mv *c = rand_crv(ctx, &r, &k), *e[4];
+    for (int a = 0; a < 4; a++)
+        memcpy(pts + 5 * a, ix_mv_weights(c) + 5 * a, 5 * sizeof *pts);
+    for (int i = 0; i < 5; i++)
+        pts[15 + i] = pts[5 + i] / 2;
+    plane = make_crv(ctx, 5, 5, NULL, true, 3, pts);
+    for (int kind = IX_RULED_TANGENT; kind <= IX_RULED_POLAR; kind++) {
+        bool inside = kind == IX_RULED_TANGENT || kind == IX_RULED_NORMAL;
 
-        for (int form = 0; form < 4; form++) {
-            ix_op_opts o = {(ix_degree_form)form, INT_MAX};
+        ASSERT_OK(ctx, ix_crv_ruled(ctx, plane, (ix_ruled_kind)kind, range,
+                                    NULL, NULL, &s));
+        for (int i = 0; i < 5; i++) {
+            double v[3], len;
 
-            ASSERT_OK(ctx, ix_evolute(ctx, c, &o, NULL, &e[form]));
+            ruling_at(ctx, s, (i + 0.5) / 5, v);
+            len = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+            assert_true(len > 0);
+            if (inside)
+                assert_true(fabs(v[2] - v[0] / 2) <= 1e-13 * len);
+            else
+                assert_true(fabs(v[0] + v[2] / 2) <= 1e-13 * len &&
+                            fabs(v[1]) <= 1e-13 * len);
         }
-        for (int s = 0; s < 10; s++) {
-            double dom[2], x[3], y[3], t, len = 1;
-
-            ix_mv_domain(c, 0, dom);
-            t = ix_rng_range(&r, dom[0], dom[1]);
-            point_at(ctx, e[0], t, x);
-            for (int a = 0; a < 3; a++)
-                len = fmax(len, fabs(x[a]));
-            for (int form = 1; form < 4; form++) {
-                point_at(ctx, e[form], t, y);
-                for (int a = 0; a < 3; a++)
-                    if (!(fabs(x[a] - y[a]) <= 1e-10 * len * len))
-                        fail_msg("curve %d form %d: %g, %g", i, form, x[a],
-                                 y[a]);
-            }
-        }
-        for (int form = 0; form < 4; form++)
-            ix_mv_unref(ctx, e[form]);
-        ix_mv_unref(ctx, c);
+        ix_mv_unref(ctx, s);
     }
+    ix_mv_unref(ctx, plane);
+    ix_mv_unref(ctx, c);
+    ix_ctx_free(ctx);
+}
+
+/* Where the curvature is zero, at (t, t^3, t^4), t = 0, and at the cusp of
+ * (t^2, t^3, t^4), rulings have length 0. */
+static void rulings_that_vanish(void **state)
+{
+    /* over [-1, 1], degree 4; blossoms of t, t^2, t^3, t^4 */
+    static const double t1[5] = {-1, -.5, 0, .5, 1};
+    static const double t2[5] = {1, 0, -1. / 3, 0, 1};
+    static const double t3[5] = {-1, .5, 0, -.5, 1};
+    static const double t4[5] = {1, -1, 1, -1, 1}, range[2] = {0, 1};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    double pts[15], v[3], far[3];
+
+    (void)state;
+    memcpy(pts + 5, t3, sizeof t3);
+    memcpy(pts + 10, t4, sizeof t4);
+    for (int cusp = 0; cusp < 2; cusp++)
+        for (int kind = IX_RULED_TANGENT; kind < IX_RULED_POLAR; kind++) {
+            ix_mv *c, *s;
+
+            memcpy(pts, cusp ? t2 : t1, sizeof t1);
+            c = make_crv(ctx, 5, 5, NULL, false, 3, pts);
+            ASSERT_OK(ctx, ix_crv_ruled(ctx, c, (ix_ruled_kind)kind, range,
+                                        NULL, NULL, &s));
+            ruling_at(ctx, s, 0.5, v);
+            ruling_at(ctx, s, 0.9, far);
+            for (int k = 0; k < 3; k++)
+                if (cusp || kind != IX_RULED_TANGENT)
+                    assert_true(fabs(v[k]) <=
+                                1e-14 *
+                                    (1 + hypot(hypot(far[0], far[1]), far[2])));
+            ix_mv_unref(ctx, c);
+            ix_mv_unref(ctx, s);
+        }
     ix_ctx_free(ctx);
 }
 
@@ -372,9 +518,11 @@ int main(void)
         cmocka_unit_test(straight_line),
         cmocka_unit_test(circle),
         cmocka_unit_test(cusp),
+        cmocka_unit_test(cusps_are_no_inflections),
         cmocka_unit_test(negative_degrees),
-        cmocka_unit_test(scales),
-        cmocka_unit_test(forms_agree),
+        cmocka_unit_test(knots_do_not_matter),
+        cmocka_unit_test(rulings_of_a_planar_curve),
+        cmocka_unit_test(rulings_that_vanish),
         cmocka_unit_test(extrema_are_complete),
         cmocka_unit_test(bad_arguments),
         cmocka_unit_test(out_of_memory),
