@@ -341,13 +341,22 @@ static void toggle_side(ix__cdt *c, int t, int k)
     }
 }
 
-/* Is v, in a line with a and b, on b's side of a? */
-static bool ahead(const ix__cdt *c, int a, int b, int v)
-{
-    int64_t x = (int64_t)(c->p[v].x - c->p[a].x) * (c->p[b].x - c->p[a].x);
-    int64_t y = (int64_t)(c->p[v].y - c->p[a].y) * (c->p[b].y - c->p[a].y);
+/* Edges lead through points that are nearer to them, in steps of the integers:
+ * so edges that nearly coincide become one, instead of crossing each other
+ * again wherever rounding moves a crossing. */
+#define NEAR 4.0
 
-    return x + y > 0;
+/* Does v lie near the way from a to b, between them? o is orient(a, b, v). */
+static bool on_way(const ix__cdt *c, int a, int b, int v, int64_t o)
+{
+    double bx = (double)c->p[b].x - c->p[a].x;
+    double by = (double)c->p[b].y - c->p[a].y;
+    double vx = (double)c->p[v].x - c->p[a].x;
+    double vy = (double)c->p[v].y - c->p[a].y;
+    double length2 = bx * bx + by * by, along = bx * vx + by * vy;
+
+    return fabs((double)o) <= NEAR * sqrt(length2) && along > 0 &&
+           along < length2;
 }
 
 /* What is met first on the way from a to b. */
@@ -368,9 +377,9 @@ static way look_from(const ix__cdt *c, int a, int b)
 
         if (p == b || q == b)
             return (way){t, (k + (p == b ? 2 : 1)) % 3, true, -1};
-        if (op == 0 && ahead(c, a, b, p))
+        if (on_way(c, a, b, p, op))
             return (way){.via = p};
-        if (oq == 0 && ahead(c, a, b, q))
+        if (on_way(c, a, b, q, oq))
             return (way){.via = q};
         if (op < 0 && oq > 0)
             return (way){t, k, false, -1};
@@ -498,7 +507,7 @@ static ix_status follow(ix__cdt *c, todo *l, int a, int b, int t, int k,
             return IX_OK;
         }
         o = orient(c, a, b, w);
-        if (o == 0) {
+        if (on_way(c, a, b, w, o)) {
             IX_TRY(push(c, l, a, w));
             return push(c, l, w, b);
         }

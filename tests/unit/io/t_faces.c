@@ -396,6 +396,66 @@ static void test_crossing(void **state)
     }
 }
 
+enum { COLUMNS = 200 };
+
+/* The part of the unit square that a closed polyline encloses an odd number of
+ * times, by the lengths of columns. */
+static double odd_part(int n, double (*xy)[2])
+{
+    double sum = 0, y[40];
+
+    for (int c = 0; c < COLUMNS; c++) {
+        double x = (c + .5 + 1e-7) / COLUMNS;
+        int q = 0;
+
+        for (int k = 0; k < n; k++) {
+            const double *a = xy[k], *b = xy[k + 1];
+            double at, i;
+
+            if ((a[0] > x) == (b[0] > x))
+                continue;
+            at = a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]);
+            at = fmin(fmax(at, 0), 1);
+            for (i = q++; i > 0 && y[(int)i - 1] > at; i--)
+                y[(int)i] = y[(int)i - 1];
+            y[(int)i] = at;
+        }
+        for (int k = 0; k + 1 < q; k += 2)
+            sum += (y[k + 1] - y[k]) / COLUMNS;
+    }
+    return sum;
+}
+
+/* Scribbles: edges that cross many times, coincide, meet in points and leave
+ * the domain. Columns miss less than 1/100 of the area. */
+static void test_scribbles(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 24; i++) {
+        ix_mark mk = ix__scratch_mark(ctx);
+        int n = ix_rng_int(&rng, 4, 29);
+        double xy[30][2], du[2], dv[2], got;
+        ix_mv *m = random_surface(), *uv;
+        ix__mesh *g;
+        simple s;
+
+        for (int k = 0; k < 2 * n; k++)
+            xy[k / 2][k % 2] = i % 2 ? ix_rng_int(&rng, 0, 4) / 4.
+                                     : ix_rng_range(&rng, -.2, 1.2);
+        memcpy(xy[n], xy[0], sizeof xy[0]);
+        uv = polyline(m, n + 1, (const double(*)[2])xy);
+        make_simple(&s, m, 1, &uv);
+        ix_mv_domain(m, 0, du);
+        ix_mv_domain(m, 1, dv);
+        ASSERT_OK(ctx, ix__mesh_of_faces(ctx, 1, &s.face, .2, NULL, &g));
+        got = covered(g) / ((du[1] - du[0]) * (dv[1] - dv[0]));
+        assert_true(fabs(got - odd_part(n, xy)) < .01);
+        ix__mesh_free(ctx, g);
+        drop_simple(&s);
+        ix__scratch_release(ctx, mk);
+    }
+}
+
 /* A curve that leaves the domain is cut off there. */
 static void test_outside(void **state)
 {
@@ -688,11 +748,12 @@ static void test_faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_region),  cmocka_unit_test(test_holes),
-        cmocka_unit_test(test_borders), cmocka_unit_test(test_crossing),
-        cmocka_unit_test(test_outside), cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_model),   cmocka_unit_test(test_can),
-        cmocka_unit_test(test_errors),  cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_region),    cmocka_unit_test(test_holes),
+        cmocka_unit_test(test_borders),   cmocka_unit_test(test_crossing),
+        cmocka_unit_test(test_scribbles), cmocka_unit_test(test_outside),
+        cmocka_unit_test(test_sphere),    cmocka_unit_test(test_model),
+        cmocka_unit_test(test_can),       cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_faults),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);
