@@ -3,6 +3,7 @@
 #ifndef IRITX_CONTOUR_H
 #define IRITX_CONTOUR_H
 
+#include "iritx/geom.h"
 #include "iritx/solve.h"
 
 #ifdef __cplusplus
@@ -29,6 +30,22 @@ ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
 ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
                       double theta, double tol,
                       ix_solution_curves *out) IX_MUST_CHECK;
+/* The field of the isocline, the left side less the right one: positive where
+ * the angle with that line is less than theta. Where theta is a right angle (to
+ * 1e-12), <n, view> itself. Err IX_EARG view is 0. */
+ix_status ix_isocline_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                            double theta, ix_mv **out) IX_MUST_CHECK;
+
+/* Where the scalar f is positive: closed polylines (u, v, 0), first vertex =
+ * last, that are to be filled by parity (a point is inside if a ray from it
+ * crosses them an odd number of times); tol as in ix_curves_opts.
+ *
+ * Err   IX_EARG     not a scalar surface
+ *       IX_EUNABLE  f jumps, vanishes over an area, or its zeros are not known
+ *                   completely */
+ix_status ix_positive_region(ix_ctx *ctx, const ix_mv *f, double tol,
+                             ix_lines *out) IX_MUST_CHECK;
+
 /* What is seen as silhouette when the surface turns about the axis through the
  * origin: <S x n, axis> = 0. */
 ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],

@@ -85,6 +85,26 @@ ix_status ix_crv_antipodal(ix_ctx *ctx, const ix_mv *c,
 ix_status ix_crv_bitangents(ix_ctx *ctx, const ix_mv *c,
                             ix_solutions *out) IX_MUST_CHECK;
 
+/* --- circles and light between curves ---------------------------------------
+ */
+
+/* Circles of a radius that touch two curves in the XY plane: solutions (t1, t2,
+ * x, y) with the centre (x, y); each curve's whole carrier does not count, only
+ * its interior and its ends where the circle touches them as part of it.
+ * Circles that touch both twice over an arc are not isolated: complete is
+ * false. Err IX_EARG not planar Bezier or B-spline curves, radius not
+ * positive; IX_EDOMAIN poles of the first curve. */
+ix_status ix_crv_tangent_circles(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                                 double radius,
+                                 ix_solutions *out) IX_MUST_CHECK;
+
+/* Closed paths of light in the XY plane that bounce once on each of 2 to
+ * IX_MAX_UNKNOWNS curves, in order, and return: solutions (t1, .., tn). Err
+ * IX_EARG the number of curves, not planar Bezier or B-spline curves;
+ * IX_EDOMAIN no tangent at a solution. */
+ix_status ix_crv_ray_traps(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                           ix_solutions *out) IX_MUST_CHECK;
+
 /* --- pairs of points of one surface -----------------------------------------
  */
 

@@ -82,24 +82,34 @@ static ix_status isocline_field(ix_ctx *ctx, const ix_mv *n,
     return st;
 }
 
-ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
-                      double theta, double tol, ix_solution_curves *out)
+ix_status ix_isocline_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                            double theta, ix_mv **out)
 {
     double len = sqrt(view[0] * view[0] + view[1] * view[1] +
                       view[2] * view[2]);
     const double v[3] = {view[0] / len, view[1] / len, view[2] / len};
-    ix_mv *n, *f = NULL;
+    ix_mv *n;
     ix_status st;
 
-    *out = (ix_solution_curves){.unknowns = 0};
+    *out = NULL;
     if (!(len > 0))
         return IX_FAIL(ctx, IX_EARG, "a direction of length 0");
-    if (fabs(cos(theta)) <= 1e-12) /* the square of the silhouette's field */
-        return ix_silhouette(ctx, s, view, tol, out);
     IX_TRY(ix_srf_normal_field(ctx, s, &n));
-    st = isocline_field(ctx, n, v, cos(theta), &f);
+    if (fabs(cos(theta)) <= 1e-12) /* not the square of the silhouette's */
+        st = ix_sym_dot_vector(ctx, n, v, out);
+    else
+        st = isocline_field(ctx, n, v, cos(theta), out);
     ix_mv_unref(ctx, n);
-    IX_TRY(st);
+    return st;
+}
+
+ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                      double theta, double tol, ix_solution_curves *out)
+{
+    ix_mv *f;
+
+    *out = (ix_solution_curves){.unknowns = 0};
+    IX_TRY(ix_isocline_field(ctx, s, view, theta, &f));
     return trace(ctx, f, tol, out);
 }
 

@@ -7,6 +7,7 @@
 #include "iritx/contour.h"
 #include "iritx/distance.h"
 #include "iritx/geom_srf.h"
+#include "iritx/sym.h"
 #include "lang/args_freeform.h"
 #include "lang/interp.h"
 #include "mv/mv.h"
@@ -302,52 +303,75 @@ static ix_status contour(ix_call *c)
     return st;
 }
 
-static ix_status silhouette(ix_call *c)
+/* The curves in the parameters of m, or on it where argument euclid is on;
+ * released, if st says that there are any. */
+static ix_status ret_on_surface(ix_call *c, ix_status st, ix_solution_curves *s,
+                                const ix_mv *m, int euclid)
+{
+    IX_TRY(st);
+    st = ix__ret_contours(c, s, ix__arg_bool(c, euclid) ? m : NULL);
+    ix_solution_curves_free(c->ctx, s);
+    return st;
+}
+
+typedef ix_status (*silhouette_fn)(ix_ctx *, const ix_mv *, const double *,
+                                   double, ix_solution_curves *);
+
+static ix_status along_vector(ix_call *c, silhouette_fn fn)
 {
     const ix_mv *m = ix__arg_mv(c, 0);
     ix_solution_curves s;
-    double view[3];
-    ix_status st;
+    double v[3];
 
-    IX_TRY(ix__arg_vec3(c, 1, view));
-    IX_TRY(ix_silhouette(c->ctx, m, view, ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, ix__arg_bool(c, 2) ? m : NULL);
-    ix_solution_curves_free(c->ctx, &s);
+    IX_TRY(ix__arg_vec3(c, 1, v));
+    return ret_on_surface(c, fn(c->ctx, m, v, ix__contour_tolerance(c), &s), &s,
+                          m, 2);
+}
+
+static ix_status silhouette(ix_call *c)
+{
+    return along_vector(c, ix_silhouette);
+}
+
+static ix_status polarsil(ix_call *c)
+{
+    return along_vector(c, ix_polar_silhouette);
+}
+
+/* The part of m on which the angle is below theta (sign 1), or above it. */
+static ix_status isocline_region(ix_call *c, const ix_mv *m, const double *view,
+                                 double theta, double sign)
+{
+    ix_status st;
+    ix_lines l;
+    ix_mv *f, *g = NULL;
+
+    IX_TRY(ix_isocline_field(c->ctx, m, view, theta, &f));
+    st = ix_sym_dot_vector(c->ctx, f, &sign, &g);
+    ix_mv_unref(c->ctx, f);
+    IX_TRY(st);
+    st = ix_positive_region(c->ctx, g, ix__contour_tolerance(c), &l);
+    ix_mv_unref(c->ctx, g);
+    IX_TRY(st);
+    st = l.n ? ix__ret_region(c, m, &l) : IX_OK;
+    ix_lines_free(c->ctx, &l);
     return st;
 }
 
 static ix_status isocline(ix_call *c)
 {
     const ix_mv *m = ix__arg_mv(c, 0);
-    double view[3], degree = acos(-1) / 180;
+    double view[3], theta = ix__arg_num(c, 2) * (acos(-1) / 180);
     ix_solution_curves s;
-    ix_status st;
+    int mode;
 
     IX_TRY(ix__arg_vec3(c, 1, view));
-    if (fabs(ix__arg_num(c, 4)) > 1e-5)
-        return IX_ARG_FAIL(c, 4,
-                           "mode %g: only the curves (mode 0) are available, "
-                           "not trimmed regions",
-                           ix__arg_num(c, 4));
-    IX_TRY(ix_isocline(c->ctx, m, view, ix__arg_num(c, 2) * degree,
-                       ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, ix__arg_bool(c, 3) ? m : NULL);
-    ix_solution_curves_free(c->ctx, &s);
-    return st;
-}
-
-static ix_status polarsil(ix_call *c)
-{
-    const ix_mv *m = ix__arg_mv(c, 0);
-    ix_solution_curves s;
-    double axis[3];
-    ix_status st;
-
-    IX_TRY(ix__arg_vec3(c, 1, axis));
-    IX_TRY(ix_polar_silhouette(c->ctx, m, axis, ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, ix__arg_bool(c, 2) ? m : NULL);
-    ix_solution_curves_free(c->ctx, &s);
-    return st;
+    IX_TRY(ix__arg_int(c, 4, -1, 1, &mode));
+    if (mode)
+        return isocline_region(c, m, view, theta, mode);
+    return ret_on_surface(
+        c, ix_isocline(c->ctx, m, view, theta, ix__contour_tolerance(c), &s),
+        &s, m, 3);
 }
 
 #define C "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2), ctlpt(E2,3,0))); "
@@ -399,10 +423,16 @@ const ix_builtin ix__builtins_distance[] = {
      "Where the normal of a surface is perpendicular to view, as polylines on "
      "the surface or, with euclid off, in its parameters.",
      S "o = silhouette(s, vector(1, 1, 0), true);", silhouette, 0, 13},
-    {"ISOCLINE", "s:surface dir:pv theta:num euclid:bool mode:num -> poly",
-     "Where the normal of a surface makes the angle theta (degrees) with dir, "
-     "as SILHOUETTE; mode 0: the curves.",
-     S "o = isocline(s, vector(0, 0, 1), 30, true, 0);", isocline, 0, 13},
+    {"ISOCLINE",
+     "s:surface dir:pv theta:num euclid:bool mode:num -> poly|trimsrf",
+     "Where the line of the normal of a surface makes the angle theta "
+     "(degrees) "
+     "with dir: mode 0 the curves, as SILHOUETTE; mode 1 the part of the "
+     "surface, trimmed, in which the angle is less (of 90 degrees: the normal "
+     "points along dir), mode -1 the rest of it. No value if there is none.",
+     S "o = isocline(s, vector(0, 0, 1), 30, true, 0); "
+       "t = isocline(s, vector(0, 0, 1), 40, true, 1);",
+     isocline, 0, 13},
     {"POLARSIL", "s:surface axis:pv euclid:bool -> poly",
      "Where (S x normal) is perpendicular to axis: the silhouette that the "
      "surface makes when it turns about the axis through the origin.",

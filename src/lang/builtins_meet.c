@@ -161,6 +161,53 @@ static ix_status ret_crossings(ix_call *c, const ix_mv *m, ix_solutions *s)
     return ix__ret_list(c, list, st);
 }
 
+/* --- circles and light
+ * -------------------------------------------------------- */
+
+/* A centre with both parameters. */
+static ix_obj *center_object(ix_ctx *ctx, const ix_solution *s)
+{
+    const double p[3] = {s->x[2], s->x[3], 0};
+    ix_obj *o = ix__obj_point(ctx, p), *params = pair_point(ctx, s);
+    ix_status st = IX_ENOMEM;
+
+    if (o && params)
+        st = ix__attr_set_obj(ctx, &o->attrs, "Params", params);
+    ix__obj_unref(ctx, params);
+    if (st == IX_OK)
+        return o;
+    ix__obj_unref(ctx, o);
+    return NULL;
+}
+
+static ix_status crc2crvtan(ix_call *c)
+{
+    ix_solutions s;
+    ix_obj *list;
+    ix_status st;
+
+    IX_TRY(ix_crv_tangent_circles(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1),
+                                  ix__arg_num(c, 2), &s));
+    remark_open(c, &s);
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < s.n; i++)
+        st = ix__list_add(c->ctx, list, center_object(c->ctx, &s.sol[i]));
+    ix_solutions_free(c->ctx, &s);
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status raytraps(ix_call *c)
+{
+    const ix_mv **crv;
+    ix_solutions s;
+    int n;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    IX_TRY(ix_crv_ray_traps(c->ctx, n, crv, &s));
+    return ret_solutions(c, &s);
+}
+
 /* --- several freeforms
  * -------------------------------------------------------------- */
 
@@ -516,6 +563,21 @@ const ix_builtin ix__builtins_meet[] = {
      "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,3), ctlpt(E2,2,-4), "
      "ctlpt(E2,3,3), ctlpt(E2,4,0))); l = crv2tans(c, 10);",
      crv2tans, 0, 9},
+    {"CRC2CRVTAN", "c1:curve c2:curve r:num tol:num -> list",
+     "The centres of all circles of radius r that touch both curves, in the XY "
+     "plane; the attribute Params is the point (t1, t2, 0) of the parameters. "
+     "tol is not needed.",
+     C "l = crc2crvtan(c, c * ty(1), 0.3, 1e-3); "
+       "t = getattr(nth(l, 1), \"Params\");",
+     crc2crvtan, 0, 9},
+    {"RAYTRAPS", "l:list orient:num subdiv:num numer:num trees:num -> list",
+     "Closed paths of light that bounce once on each of 2 to 6 curves, in the "
+     "order of the list, in the XY plane: control points of the parameters. "
+     "The "
+     "other arguments are not needed.",
+     "a = cbezier(list(ctlpt(E2,-1,1), ctlpt(E2,0,0.2), ctlpt(E2,1,1))); "
+     "l = raytraps(list(a, a * ty(-3)), true, 0.1, -1e-6, true);",
+     raytraps, 0, 22},
     {"CRVDIAMTR", "c:curve subdiv:num numer:num which:num -> point|list",
      "The pairs of ANTIPODAL as points (t1, t2, 0): the shortest (which 0), "
      "the "

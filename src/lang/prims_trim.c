@@ -162,6 +162,45 @@ ix_status ix__prim_trimsrf(ix_call *c)
     return st;
 }
 
+/* The curve of order 2 through n points, a knot at each. */
+static ix_status through_points(ix_ctx *ctx, int n, const double (*p)[3],
+                                ix_mv **out)
+{
+    ix_dir d = {.basis = IX_BSPLINE, .order = 2, .length = n};
+    double *kv, *pts;
+
+    IX_SCRATCH(ctx, kv, n + 2);
+    IX_SCRATCH(ctx, pts, 2 * (size_t)n);
+    for (int i = 0; i < n + 2; i++)
+        kv[i] = i < 1 ? 0 : i > n ? n - 1 : i - 1;
+    for (int i = 0; i < 2 * n; i++)
+        pts[i] = p[i % n][i / n];
+    d.knots = kv;
+    return ix_mv_new(ctx, 1, &d, 2, false, pts, out);
+}
+
+ix_status ix__ret_region(ix_call *c, const ix_mv *srf, const ix_lines *l)
+{
+    const double(*p)[3] = (const double(*)[3])l->pt;
+    ix_trimsrf *t = ix__trimsrf_new(c->ctx, srf, l->n);
+    ix_status st = t ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < l->n; p += l->count[i], i++) {
+        ix_mv *uv = NULL;
+
+        st = ix__trimloop_segs(c->ctx, &t->loop[i], 1);
+        if (st == IX_OK)
+            st = through_points(c->ctx, l->count[i], p, &uv);
+        if (st == IX_OK)
+            t->loop[i].seg[0].uv = uv;
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_trimsrf(c->ctx, t));
+    if (t)
+        ix__trimsrf_unref(c->ctx, t);
+    return st;
+}
+
 ix_status ix__prim_strimsrf(ix_call *c)
 {
     return ix__ret(c, ix__obj_mv(c->ctx, IX_OBJ_SURFACE,

@@ -1,0 +1,64 @@
+/* unit_solve.c - see the header. */
+#include "geom/unit_solve.h"
+
+const ix_mv *ix__pool_unit(ix_pool *q, const ix_mv *m)
+{
+    for (int d = 0; q->st == IX_OK && d < m->ndirs; d++) {
+        double dom[2];
+
+        ix_mv_domain(m, d, dom);
+        if (dom[0] < 0 || dom[0] > 0 || dom[1] < 1 || dom[1] > 1)
+            m = ix__pool_made(
+                q, ix_mv_reparam(q->ctx, m, d, 0, 1, ix__pool_room(q)));
+    }
+    return q->st == IX_OK ? m : NULL;
+}
+
+const ix_mv *ix__pool_linear(ix_pool *q, const double dom[2], int n, int at)
+{
+    const ix_dir d = {.basis = IX_BEZIER, .order = 2, .length = 2};
+    const ix_mv *f;
+
+    if (q->st != IX_OK)
+        return NULL;
+    f = ix__pool_made(
+        q, ix_mv_new(q->ctx, 1, &d, 1, false, dom, ix__pool_room(q)));
+    return q->st == IX_OK ? ix__pool_promote(q, f, n, at) : NULL;
+}
+
+static void to_domains(const double (*dom)[2], ix_solutions *out)
+{
+    for (int i = 0; i < out->n; i++)
+        for (int k = 0; k < out->unknowns; k++) {
+            ix_solution *s = &out->sol[i];
+            double a = dom[k][0], w = dom[k][1] - a;
+
+            s->x[k] = s->x[k] >= 1 ? dom[k][1] : a + s->x[k] * w;
+            s->lo[k] = a + s->lo[k] * w;
+            s->hi[k] = a + s->hi[k] * w;
+        }
+}
+
+ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
+                         const double (*dom)[2], const ix_solve_opts *o,
+                         ix_solutions *out)
+{
+    ix_equation eq[3 * IX_MAX_UNKNOWNS];
+    ix_status st = q->st;
+
+    *out = (ix_solutions){.n = 0};
+    for (int i = 0; st == IX_OK && i < neq; i++) {
+        if (!f[i])
+            st = IX_FAIL(q->ctx, IX_EDOMAIN,
+                         "condition %d holds everywhere: there are infinitely "
+                         "many solutions",
+                         i + 1);
+        eq[i] = (ix_equation){.f = f[i], .rel = IX_EQUAL_ZERO};
+    }
+    if (st == IX_OK)
+        st = ix_solve(q->ctx, neq, eq, o, out);
+    ix__pool_free(q);
+    if (st == IX_OK)
+        to_domains(dom, out);
+    return st;
+}
