@@ -24,11 +24,13 @@ extern "C" {
 /* --- scalar fields ------------------------------------------------------ */
 
 typedef enum {
-    IX_CRV_INFLECTION,    /* det(x', x'') of the first two coordinates */
-    IX_CRV_CRITICAL,      /* zero where the curvature is stationary */
-    IX_CRV_CURVATURE_SQR, /* squared curvature */
-    IX_CRV_TORSION_ZERO,  /* det(x', x'', x''') */
-    IX_CRV_TORSION        /* torsion */
+    IX_CRV_INFLECTION,     /* det(x', x'') of the first two coordinates */
+    IX_CRV_CRITICAL,       /* zero where the curvature is stationary */
+    IX_CRV_CURVATURE_SQR,  /* squared curvature */
+    IX_CRV_TORSION_ZERO,   /* det(x', x'', x''') */
+    IX_CRV_TORSION,        /* torsion */
+    IX_CRV_CRITICAL_DIRECT /* as CRITICAL; naive: (3.4) of the paper, without
+                              squaring, in fractions: 4d-6 / 26d */
 } ix_crv_field_kind;
 
 /* A scalar function of the curve's parameter.

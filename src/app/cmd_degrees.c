@@ -16,6 +16,7 @@ typedef struct {
     const char *file;
     int nnames;
     const char *name[MAX_NAMES]; /* of operators; none: all */
+    int *rows;                   /* counts those that were put */
 } request;
 
 /* The curves and surfaces of the file, by name. */
@@ -36,7 +37,18 @@ static bool read_format(const char *s, format *out)
             *out = (format)i;
             return true;
         }
+    (void)fprintf(stderr, "iritx: no format is called %s\n", s);
     return false;
+}
+
+/* The operators, each name once. */
+static void list_operators(void)
+{
+    (void)fputs("iritx: operators are", stderr);
+    for (const ix_op *op = ix__ops; op->name; op++)
+        if (ix__op_find(op->name) == op)
+            (void)fprintf(stderr, " %s", op->name);
+    (void)fputc('\n', stderr);
 }
 
 /* Names after --op go on as long as they are operators. */
@@ -46,10 +58,13 @@ static bool read_names(int argc, char **argv, int *i, request *r)
 
     while (*i + 1 < argc && r->nnames < MAX_NAMES && ix__op_find(argv[*i + 1]))
         r->name[r->nnames++] = argv[++*i];
-    if (r->nnames == first && *i + 1 < argc)
+    if (r->nnames > first)
+        return true;
+    if (*i + 1 < argc)
         (void)fprintf(stderr, "iritx: no operator is called %s\n",
                       argv[*i + 1]);
-    return r->nnames > first;
+    list_operators();
+    return false;
 }
 
 static bool read_request(int argc, char **argv, request *r)
@@ -132,33 +147,32 @@ static const char *number(double x, char *buf, size_t size)
     return buf;
 }
 
-/* One form of an operator; message: why there is none, or NULL. */
+/* One form of an operator; message: why there is none in any form, or NULL. */
 static void put_row(const request *r, const char *object, const ix_op *op,
                     int form, const ix_degree_row *row, const char *message)
 {
+    const char *name = message ? "all" : ix__form_name(form);
     char degree[64], points[64], residual[32];
 
+    ++*r->rows;
     (void)sizes(row->ndirs, row->degree, degree, sizeof degree);
     (void)sizes(row->ndirs, row->length, points, sizeof points);
     if (r->format == TEXT && message) {
-        (void)printf("  %-12s %-9s %s\n", op->name, ix__form_name(form),
-                     message);
+        (void)printf("  %-16s %-9s %s\n", op->name, name, message);
     } else if (r->format == TEXT) {
-        (void)printf("  %-12s %-9s %8s %10s %9s %10.1f us\n", op->name,
-                     ix__form_name(form), degree, points,
+        (void)printf("  %-16s %-9s %8s %10s %9s %10.1f us\n", op->name, name,
+                     degree, points,
                      number(row->residual, residual, sizeof residual),
                      1e6 * row->seconds);
     } else if (r->format == CSV) {
         put_csv(object);
-        (void)printf(",%s,%s,%s,%s,%s,%.3e,", op->name, ix__form_name(form),
-                     degree, points,
+        (void)printf(",%s,%s,%s,%s,%s,%.3e,", op->name, name, degree, points,
                      number(row->residual, residual, sizeof residual),
                      row->seconds);
         put_csv(message ? message : "");
         (void)putchar('\n');
     } else {
-        (void)printf("    <form operator=\"%s\" name=\"%s\"", op->name,
-                     ix__form_name(form));
+        (void)printf("    <form operator=\"%s\" name=\"%s\"", op->name, name);
         if (message) {
             (void)fputs(" message=\"", stdout);
             put_xml(message);
@@ -277,10 +291,23 @@ static ix_status put_all(ix_ctx *ctx, const request *r, const inputs *in)
     return IX_OK;
 }
 
+/* A table without rows is none. */
+static ix_status check_rows(ix_ctx *ctx, const request *r, const inputs *in)
+{
+    if (*r->rows > 0)
+        return IX_OK;
+    if (in->n == 0)
+        return IX_FAIL(ctx, IX_EARG, "%s: no curve or surface", r->file);
+    return IX_FAIL(
+        ctx, IX_EARG, "%s: no operator given with --op takes %s that it holds",
+        r->file, in->n > 1 ? "any of the freeforms" : "the freeform");
+}
+
 int cmd_degrees(ix_ctx *ctx, int argc, char **argv)
 {
     static inputs in;
-    request r = {.format = TEXT};
+    int rows = 0;
+    request r = {.format = TEXT, .rows = &rows};
     ix_obj *o;
     ix_status st;
 
@@ -291,6 +318,8 @@ int cmd_degrees(ix_ctx *ctx, int argc, char **argv)
     if (st == IX_OK) {
         gather(o, "-", &in);
         st = put_all(ctx, &r, &in);
+        if (st == IX_OK)
+            st = check_rows(ctx, &r, &in);
     }
     ix__obj_unref(ctx, o);
     return st == IX_OK ? 0 : cmd_complain(ctx);

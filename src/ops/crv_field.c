@@ -219,6 +219,31 @@ static ix_status critical_naive(ix_ctx *ctx, const ix_curve *c, field *out)
     return ix__ratio_derive(ctx, &out->f, &out->f);
 }
 
+/* (3.4) as it stands: det(x', x''') |x'|^2 - 3 (x'.x'') det(x', x''), in space
+ * 2 (b.c) |x'|^2 - 6 |b|^2 (x'.x'') with b = x' x x'', c = x' x x'''. */
+static ix_status direct_naive(ix_ctx *ctx, const ix_curve *c, field *out)
+{
+    ix__form_product area = area_of(c);
+    ix_frac d[3], a, b, q, dot;
+
+    *out = (field){{.rational = false}, c->dim == 2 ? 4 : 6, 0};
+    IX_TRY(derivatives(ctx, c, 3, d));
+    IX_TRY(ix__ratio_product(ctx, area, &d[0], &d[1], &b));
+    IX_TRY(ix__ratio_product(ctx, area, &d[0], &d[2], &a));
+    if (c->dim == 3) {
+        IX_TRY(ix__ratio_product(ctx, ix__form_dot, &b, &a, &a));
+        IX_TRY(ix__ratio_product(ctx, ix__form_dot, &b, &b, &b));
+        ix__form_times(&a.x, 2.0);
+        ix__form_times(&b.x, 2.0);
+    }
+    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &d[0], &d[0], &q));
+    IX_TRY(ix__ratio_product(ctx, ix__form_dot, &d[0], &d[1], &dot));
+    IX_TRY(ix__ratio_product(ctx, ix__form_mul, &a, &q, &a));
+    IX_TRY(ix__ratio_product(ctx, ix__form_mul, &b, &dot, &b));
+    ix__form_times(&b.x, 3.0);
+    return ix__ratio_add(ctx, &a, -1, &b, &out->f);
+}
+
 /* (|kappa N|^2)', with kappa N = (x' x x'') x x' / |x'|^4. */
 static ix_status critical_irit(ix_ctx *ctx, const ix_curve *c, field *out)
 {
@@ -330,7 +355,7 @@ static ix_status torsion_naive(ix_ctx *ctx, const ix_curve *c, field *out)
 /* --- table and entry ---------------------------------------------------- */
 
 /* Builders by degree form; IRIT has no torsion. */
-static const build_fn builders[5][4] = {
+static const build_fn builders[6][4] = {
     [IX_CRV_INFLECTION] = {inflection_minimal, inflection_published,
                            inflection_naive, inflection_naive},
     [IX_CRV_CRITICAL] = {critical_minimal, critical_published, critical_naive,
@@ -340,7 +365,9 @@ static const build_fn builders[5][4] = {
     [IX_CRV_TORSION_ZERO] = {torsion_zero_minimal, torsion_zero_published,
                              torsion_zero_naive, torsion_zero_minimal},
     [IX_CRV_TORSION] = {torsion_minimal, torsion_published, torsion_naive,
-                        torsion_minimal}};
+                        torsion_minimal},
+    [IX_CRV_CRITICAL_DIRECT] = {critical_minimal, critical_published,
+                                direct_naive, direct_naive}};
 
 /* A denominator that vanishes on all of a span leaves nothing to divide by. */
 static ix_status check_denominator(ix_ctx *ctx, const ix_curve *c,
@@ -385,20 +412,23 @@ typedef struct {
     int dim;        /* of the curve: 2 or 3 */
     int weight;     /* the field is w^weight times its definition */
     double largest; /* value met */
+    double terms;   /* largest sum of terms met, without signs */
 } probe_arg;
 
 /* |x'|^8 (kappa^2)' from b = x' x x'' and q = |x'|^2, or in the plane |x'|^5
- * kappa'; of rational fields (kappa^2)' itself. */
+ * kappa'; of rational fields (kappa^2)' itself
+ * (not for CRITICAL_DIRECT). */
 static double slope(const ix_probe *at, const double *b, double q,
                     const probe_arg *a)
 {
+    bool quotient = a->kind == IX_CRV_CRITICAL && ix_mv_rational(a->field);
     double c[3], bb = ix__dot3(b, b), dot = ix__dot3(at->x[1], at->x[2]), s;
 
     ix__cross3(at->x[1], at->x[3], c);
-    if (a->dim == 2 && !ix_mv_rational(a->field))
+    if (a->dim == 2 && !quotient)
         return c[2] * q - 3.0 * dot * b[2];
     s = 2.0 * ix__dot3(b, c) * q - 6.0 * bb * dot;
-    return ix_mv_rational(a->field) ? s / (q * q * q * q) : s;
+    return quotient ? s / (q * q * q * q) : s;
 }
 
 /* The definition at a probe. */
@@ -411,6 +441,7 @@ static double definition(const ix_probe *at, const probe_arg *a)
     case IX_CRV_INFLECTION:
         return b[2];
     case IX_CRV_CRITICAL:
+    case IX_CRV_CRITICAL_DIRECT:
         return slope(at, b, q, a);
     case IX_CRV_TORSION_ZERO:
         return ix__dot3(b, at->x[3]);
@@ -421,6 +452,34 @@ static double definition(const ix_probe *at, const probe_arg *a)
     }
 }
 
+/* What the definition comes to if none of its terms cancel. */
+static double term_size(const ix_probe *at, const probe_arg *a)
+{
+    double l[4], q, m, b[3];
+
+    for (int i = 1; i < 4; i++)
+        l[i] = ix__len3(at->x[i]);
+    q = l[1] * l[1];
+    ix__cross3(at->x[1], at->x[2], b);
+    switch (a->kind) {
+    case IX_CRV_INFLECTION:
+        return l[1] * l[2];
+    case IX_CRV_TORSION_ZERO:
+        return l[1] * l[2] * l[3];
+    case IX_CRV_TORSION:
+        return l[1] * l[2] * l[3] / ix__dot3(b, b);
+    case IX_CRV_CURVATURE_SQR:
+        return ix__dot3(b, b) / (q * q * q);
+    default: /* the slope: see there */
+        m = q * (l[1] * l[3] + 3.0 * l[2] * l[2]);
+        if (a->dim == 3)
+            m *= 2.0 * l[1] * l[2];
+        if (a->kind == IX_CRV_CRITICAL && ix_mv_rational(a->field))
+            m *= (a->dim == 3 ? 1.0 : 2.0 * l[1] * l[2]) / (q * q * q * q);
+        return m;
+    }
+}
+
 /* The power of the weight in a polynomial field. */
 static int power_of_weight(ix_crv_field_kind kind, int dim, bool is_published)
 {
@@ -428,6 +487,7 @@ static int power_of_weight(ix_crv_field_kind kind, int dim, bool is_published)
     case IX_CRV_INFLECTION:
         return 3;
     case IX_CRV_CRITICAL:
+    case IX_CRV_CRITICAL_DIRECT:
         return dim == 2 ? 8 + is_published : 11 + 2 * is_published;
     case IX_CRV_TORSION_ZERO:
         return is_published ? 6 : 4;
@@ -440,15 +500,18 @@ static ix_status compare(ix_ctx *ctx, const ix_probe *at, const void *arg,
                          double *worst)
 {
     probe_arg *a = *(probe_arg *const *)arg;
-    double v[2], want;
+    double v[2], want, terms = term_size(at, a);
 
     IX_TRY(ix_mv_eval(ctx, a->field, &at->t, v));
     want = definition(at, a);
-    if (ix_mv_rational(a->field))
+    if (ix_mv_rational(a->field)) {
         v[0] = v[1] / v[0];
-    else
+    } else {
         want *= pow(at->w, a->weight);
+        terms *= pow(fabs(at->w), a->weight);
+    }
     a->largest = fmax(a->largest, fabs(want));
+    a->terms = fmax(a->terms, terms);
     *worst = fmax(*worst, fabs(v[0] - want));
     return IX_OK;
 }
@@ -461,9 +524,13 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *crv, probe_arg *a,
     a->weight = power_of_weight(a->kind, a->dim,
                                 rep->form == IX_FORM_PUBLISHED);
     IX_TRY(ix__probe(ctx, crv, compare, &a, &worst));
+    /* a field that is zero but for rounding (of a circle) has no value to be
+     * relative to */
+    if (a->largest <= 1e-12 * a->terms)
+        a->largest = a->terms;
     rep->residual = a->largest > 0.0 ? worst / a->largest : worst;
     rep->how = "against derivatives at nine parameters, relative to the "
-               "largest value";
+               "largest value, or of a zero field to its terms";
     return IX_OK;
 }
 
@@ -475,8 +542,8 @@ static ix_status run(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
     ix_mv *f;
     ix_status st;
 
-    if (kind < IX_CRV_INFLECTION || kind > IX_CRV_TORSION)
-        return IX_FAIL(ctx, IX_EARG, "field %d is not in 0 .. 4", (int)kind);
+    if (kind < IX_CRV_INFLECTION || kind > IX_CRV_CRITICAL_DIRECT)
+        return IX_FAIL(ctx, IX_EARG, "field %d is not in 0 .. 5", (int)kind);
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     IX_TRY(build(ctx, crv, kind, form, o, &a.dim, &f));
     ix__report_init(rep, form, f);

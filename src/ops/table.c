@@ -30,6 +30,7 @@
 
 FIELD(inflection, IX_CRV_INFLECTION)
 FIELD(critical, IX_CRV_CRITICAL)
+FIELD(critical_direct, IX_CRV_CRITICAL_DIRECT)
 FIELD(curvature_sqr, IX_CRV_CURVATURE_SQR)
 FIELD(torsion_zero, IX_CRV_TORSION_ZERO)
 FIELD(torsion, IX_CRV_TORSION)
@@ -136,13 +137,20 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_op_args *a,
 
 CURVE(srf_evolute, ix_srf_evolute)
 
-enum { ALL = 15, NO_IRIT = 7, NO_PUBLISHED = 13, ONLY_MINIMAL = 1 };
+enum {
+    ALL = 15,
+    NO_IRIT = 7,
+    NO_PUBLISHED = 13,
+    ONLY_MINIMAL = 1,
+    ONLY_NAIVE = 4
+};
 
 /* Fields have the names of the functions that look for their zeros; the
  * number is the op of these functions, told by two names. */
 const ix_op ix__ops[] = {
     {"CINFLECT", {1, 0}, 0, ALL, inflection},
     {"CCRVTR", {1, 0}, 0, ALL, critical},
+    {"CCRVTRDIRECT", {1, 0}, 0, ONLY_NAIVE, critical_direct},
     {"CCRVTRSQR", {1, 0}, 0, ALL, curvature_sqr},
     {"CTORSION", {1, 0}, 0, NO_IRIT, torsion},
     {"CTORSIONZERO", {1, 0}, 0, NO_IRIT, torsion_zero},

@@ -55,7 +55,8 @@ static void straight_line(void **state)
     ix_ctx_free(ctx);
 }
 
-/* The evolute of a circle is its centre, in every form; it has no extrema. */
+/* The evolute of a circle is its centre, in every form; it has no extrema, and
+ * the reports of its critical field, which is zero, say that it is right. */
 static void circle(void **state)
 {
     static const double center[3] = {1, -2, 7};
@@ -71,7 +72,11 @@ static void circle(void **state)
     for (int form = 0; form < 4; form++) {
         ix_op_opts o = {(ix_degree_form)form, INT_MAX};
         double x[3];
+        ix_report rep;
 
+        ASSERT_OK(ctx, ix_crv_field(ctx, c, IX_CRV_CRITICAL, &o, &rep, &e));
+        assert_true(rep.residual <= 1e-14);
+        ix_mv_unref(ctx, e);
         ASSERT_OK(ctx, ix_evolute(ctx, c, &o, NULL, &e));
         for (int i = 0; i <= 16; i++) {
             double t = i / 4.0;

@@ -168,6 +168,8 @@ static real field(const item *it, const jet *j)
         return dot(b, j->x[3]) *
                (quotient ? 1 : power(j->w, it->form == 1 ? 6 : 4));
     s = 2 * dot(b, c) * q - 6 * bb * d; /* CCRVTR */
+    if (quotient && strcmp(it->op, "CCRVTRDIRECT") == 0)
+        return j->dim == 3 ? s : c[2] * q - 3 * d * b[2];
     if (quotient)
         return s / (q * q * q * q);
     if (j->dim == 3)
@@ -493,6 +495,7 @@ static void check_op(ix_ctx *ctx, ix_rng *r, const ix_op *op, const ix_mv *c,
 static bool applies(const ix_op *op, const crv_kind *k)
 {
     bool plane_too = strcmp(op->name, "CCRVTR") == 0 ||
+                     strcmp(op->name, "CCRVTRDIRECT") == 0 ||
                      strcmp(op->name, "CCRVTRSQR") == 0 ||
                      strcmp(op->name, "CNRMLCRV") == 0 ||
                      strcmp(op->name, "EVOLUTE") == 0;
