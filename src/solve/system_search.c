@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/common.h"
 #include "solve/contract.h"
 #include "solve/system_impl.h"
 
@@ -28,6 +29,7 @@ typedef struct ix__search {
     ix__combined second;             /* the weakest one, improved */
     double *work;                    /* [2 size] of second's shape */
     double *copy;                    /* [n][size]: for the inflated box */
+    size_t stalled; /* boxes that could only be halved although small */
 } search;
 
 static double *tensor(const ix__system *s, const ix__box *b, int i)
@@ -529,6 +531,36 @@ static ix_status shrink_round(search *q, ix__box *b, outcome *out)
     return IX_OK;
 }
 
+#define SMALL  0x1p-8 /* of the domain: such boxes should shrink or vanish */
+#define COARSE 0x1p-5 /* fine enough for a curve that the equations share */
+
+/* Whether halving b is useless, as it is one of the boxes that cover a curve
+ * which all equations share. It is looked for when 8, 16, 32, ... small boxes
+ * have stalled. */
+static bool on_common_curve(search *q, const ix__box *b, double len)
+{
+    ix__task *t = &q->sys->t;
+    const ix__box *p = q->patch;
+    double x[IX_MAX_UNKNOWNS];
+
+    if (len > COARSE || q->sys->n < 2)
+        return false;
+    for (int j = 0; j < q->sys->n; j++)
+        x[j] = (0.5 * (b->lo[j] + b->hi[j]) - p->lo[j]) / (p->hi[j] - p->lo[j]);
+    if (!t->crowded && len < SMALL && ++q->stalled >= 8 &&
+        (q->stalled & (q->stalled - 1)) == 0)
+        t->crowded = ix__common_curve(&t->shape, p->c, x, q->work);
+    if (!t->crowded || !ix__common_point(&t->shape, p->c, x, q->work))
+        return false;
+    for (int j = 0; j < q->sys->n; j++) {
+        double w = p->hi[j] - p->lo[j], at = p->lo[j] + x[j] * w;
+
+        if (!(at >= b->lo[j] - len * w && at <= b->hi[j] + len * w))
+            return false;
+    }
+    return true;
+}
+
 #define MAX_ROUNDS 20
 
 /* Rounds of preconditioning and shrinking on the top box, then a decision. */
@@ -548,7 +580,8 @@ static ix_status examine(void *self)
         return IX_OK;
     }
     j = ix__box_longest(t, b, &len);
-    if (out == NOISY || len <= t->cell || q->stack.top + 1 >= IX__MAX_DEPTH) {
+    if (out == NOISY || len <= t->cell || q->stack.top + 1 >= IX__MAX_DEPTH ||
+        on_common_curve(q, b, len)) {
         q->stack.top--;
         return ix__open_box(t, b, q->found);
     }
