@@ -531,11 +531,11 @@ static ix_status shrink_round(search *q, ix__box *b, outcome *out)
     return IX_OK;
 }
 
-#define SMALL  0x1p-8 /* of the domain: such boxes should shrink or vanish */
-#define COARSE 0x1p-5 /* fine enough for a curve that the equations share */
+#define SMALL  0x1p-6 /* of the domain: such boxes should shrink or vanish */
+#define COARSE 0x1p-4 /* fine enough for a curve that the equations share */
 
 /* Whether halving b is useless, as it is one of the boxes that cover a curve
- * which all equations share. It is looked for when 8, 16, 32, ... small boxes
+ * which all equations share. It is looked for when 4, 8, 16, ... small boxes
  * have stalled. */
 static bool on_common_curve(search *q, const ix__box *b, double len)
 {
@@ -547,7 +547,7 @@ static bool on_common_curve(search *q, const ix__box *b, double len)
         return false;
     for (int j = 0; j < q->sys->n; j++)
         x[j] = (0.5 * (b->lo[j] + b->hi[j]) - p->lo[j]) / (p->hi[j] - p->lo[j]);
-    if (!t->crowded && len < SMALL && ++q->stalled >= 8 &&
+    if (!t->crowded && len < SMALL && ++q->stalled >= 4 &&
         (q->stalled & (q->stalled - 1)) == 0)
         t->crowded = ix__common_curve(&t->shape, p->c, x, q->work);
     if (!t->crowded || !ix__common_point(&t->shape, p->c, x, q->work))
