@@ -124,18 +124,20 @@ ix_status ix__form_integrate(ix_ctx *ctx, const ix_form *f, int dir,
     ix_spans sp = f->dirs[dir];
     integral w = {.s = {.d = sp.degree, .breaks = sp.breaks}};
     double *room;
+    ix_form r;
     ix__shape s;
 
     IX_TRY(ix__cont_shift(ctx, &sp, 1));
     sp.degree++;
-    IX_TRY(ix__form_like(ctx, f, dir, sp, out));
+    IX_TRY(ix__form_like(ctx, f, dir, sp, &r));
     IX_SCRATCH(ctx, room, 2 * sp.degree + 1);
     w.row = ix__binom(sp.degree - 1, room);
     w.row1 = ix__binom(sp.degree, room + sp.degree);
     ix__form_shape(f, dir, &s);
     IX_SCRATCH(ctx, w.start, s.inner);
     /* Spans follow each other: a cost of nothing keeps them in one thread. */
-    ix__form_blocks(ctx, f, dir, integrate_block, &w, 0.0, out);
+    ix__form_blocks(ctx, f, dir, integrate_block, &w, 0.0, &r);
+    *out = r;
     return IX_OK;
 }
 

@@ -428,6 +428,45 @@ static void extrema_are_complete(void **state)
     ix_ctx_free(ctx);
 }
 
+/* --- graphs ----------------------------------------------------------------
+ */
+
+/* Law: a graph is (t, f(t)): exactly, of polynomial and rational fields; with
+ * nodes, as IRIT has it, at the ends. */
+static void graphs(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(98);
+
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        crv_kind k = {3, 2, i & 1, i & 2 ? 3 : 0, 0, 0};
+        ix_mv *c = gentle_crv(ctx, &r, &k), *f, *g;
+        bool nodes = i & 4;
+        double dom[2];
+
+        ASSERT_OK(ctx,
+                  ix_crv_field(ctx, c,
+                               i & 1 ? IX_CRV_CURVATURE_SQR : IX_CRV_CRITICAL,
+                               NULL, NULL, &f));
+        ASSERT_OK(ctx, ix_crv_graph(ctx, f, nodes, &g));
+        ix_mv_domain(c, 0, dom);
+        for (int j = 0; j <= 8; j++) {
+            double t = dom[0] + (dom[1] - dom[0]) * j / 8, x[2], y;
+
+            ASSERT_OK(ctx, ix_mv_point(ctx, g, &t, x));
+            ASSERT_OK(ctx, ix_mv_point(ctx, f, &t, &y));
+            if (!nodes || j == 0 || j == 8)
+                ASSERT_CLOSE(x[0], t, 1e-13);
+            ASSERT_CLOSE(x[1], y, 1e-13);
+        }
+        ix_mv_unref(ctx, g);
+        ix_mv_unref(ctx, f);
+        ix_mv_unref(ctx, c);
+    }
+    ix_ctx_free(ctx);
+}
+
 /* --- errors and memory ---------------------------------------------------- */
 
 static void bad_arguments(void **state)
@@ -529,6 +568,7 @@ int main(void)
         cmocka_unit_test(rulings_of_a_planar_curve),
         cmocka_unit_test(rulings_that_vanish),
         cmocka_unit_test(extrema_are_complete),
+        cmocka_unit_test(graphs),
         cmocka_unit_test(bad_arguments),
         cmocka_unit_test(out_of_memory),
     };
