@@ -51,6 +51,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_sym,
     ix__builtins_ops,
     ix__builtins_bisect3d,
+    ix__builtins_prim,
     ix__builtins_ops_crv,
     ix__builtins_ops_srf,
     ix__builtins_degrees,

@@ -86,6 +86,23 @@ ix_status ix__pt_crv_check(ix_ctx *ctx, const ix_pt_crv *c,
     return IX_OK;
 }
 
+/* N with D x r = w N: minors of (p, w, Q w) and its partials. As p' x p - D x
+ * Q, it has no large terms to cancel when Q is far. */
+ix_status ix__pt_crv_ruling(ix_ctx *ctx, const ix_pt_crv *c, ix_form *out)
+{
+    int d = c->c.degree;
+    ix_form dp, pv, q, dq;
+
+    IX_TRY(ix__form_constant(ctx, &c->r, 3, c->q, &q));
+    IX_TRY(ix__form_cross(ctx, &c->c.d, &q, &dq));
+    IX_TRY(ix__form_derive(ctx, &c->c.p, 0, &dp));
+    IX_TRY(ix__form_partial(ctx, &c->c.p, 0, IX__V, &pv));
+    IX_TRY(ix__form_cross(ctx, &dp, &pv, out));
+    ix__form_times(out, d > 0 ? 1.0 / d : 0.0);
+    IX_TRY(ix__form_add(ctx, out, -1, &dq, out));
+    return ix__pt_crv_check(ctx, c, out);
+}
+
 void ix__pt_crv_residual(const ix_probe *at, const double b[3],
                          const ix_pt_crv_probe *arg, double *worst)
 {

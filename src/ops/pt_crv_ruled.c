@@ -31,23 +31,6 @@ typedef struct {
     int exp;
 } ruled;
 
-/* N with D x r = w N: minors of (p, w, Q w) and its partials. As p' x p - D x
- * Q, it has no large terms to cancel when Q is far. */
-static ix_status ruling_of(ix_ctx *ctx, const ix_pt_crv *c, ix_form *out)
-{
-    int d = c->c.degree;
-    ix_form dp, pv, q, dq;
-
-    IX_TRY(ix__form_constant(ctx, &c->r, 3, c->q, &q));
-    IX_TRY(ix__form_cross(ctx, &c->c.d, &q, &dq));
-    IX_TRY(ix__form_derive(ctx, &c->c.p, 0, &dp));
-    IX_TRY(ix__form_partial(ctx, &c->c.p, 0, IX__V, &pv));
-    IX_TRY(ix__form_cross(ctx, &dp, &pv, out));
-    ix__form_times(out, d > 0 ? 1.0 / d : 0.0);
-    IX_TRY(ix__form_add(ctx, out, -1, &dq, out));
-    return ix__pt_crv_check(ctx, c, out);
-}
-
 /* x = numerators of b plus w Q. */
 static ix_status from_point(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *b,
                             ruled *out)
@@ -304,7 +287,7 @@ static ix_status build(ix_ctx *ctx, const task *k, ix_mv **out)
 
     IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha,
                            k->o.form == IX_FORM_MINIMAL, &c));
-    IX_TRY(ruling_of(ctx, &c, &ruling));
+    IX_TRY(ix__pt_crv_ruling(ctx, &c, &ruling));
     fit_range(&c, &r);
     ix_mv_domain(k->crv, 0, dom);
     choose_normal(&ruling, dom, &r);
@@ -417,7 +400,7 @@ static ix_status find_cuts(ix_ctx *ctx, task *k, cuts *out)
 
     IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha, true,
                            &c));
-    IX_TRY(ruling_of(ctx, &c, &ruling));
+    IX_TRY(ix__pt_crv_ruling(ctx, &c, &ruling));
     fit_range(&c, &k->r);
     ix_mv_domain(k->crv, 0, dom);
     out->n = 0;

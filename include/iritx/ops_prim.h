@@ -1,0 +1,68 @@
+/* ops_prim.h - bisectors of points, lines, planes, spheres, cylinders, cones
+ * and tori. */
+#ifndef IRITX_OPS_PRIM_H
+#define IRITX_OPS_PRIM_H
+
+#include "iritx/ops_bisect.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    IX_PRIM_POINT,
+    IX_PRIM_LINE,
+    IX_PRIM_PLANE,
+    IX_PRIM_SPHERE,
+    IX_PRIM_CYLINDER,
+    IX_PRIM_CONE, /* the half that opens along dir */
+    IX_PRIM_TORUS
+} ix_prim_kind;
+
+typedef struct {
+    ix_prim_kind kind;
+    double pos[3];  /* the point, one of the line, plane, axis; centre; apex */
+    double dir[3];  /* of line and axes, normal of the plane; any length */
+    double radius;  /* of sphere and cylinder; minor radius of the torus */
+    double major;   /* major radius of the torus */
+    double degrees; /* half the opening angle of the cone, 0 < .. < 90 */
+} ix_prim;
+
+/* The bisector of two primitives, as rational surfaces of the lowest degrees.
+ *
+ * A sphere shrinks to its centre, a cylinder or cone to its axis, while the
+ * other grows or shrinks as much: what is left are
+ *
+ *   a surface or line and a point      ix_pt_srf_bisector, ix_pt_crv_bisector3d
+ *   cones with one apex, among them lines and planes: a cone. Its rulings are
+ *       the directions (u - e) x e', u the axis of one, e the circle that the
+ *       other cuts out of the unit sphere
+ *   cylinders and cones: the planes through axis and ruling of both, and equal
+ *       distances from both tangent planes
+ *   two lines                          ix_cbisector3d
+ *
+ * In    a, b   in any order, in any position; a cone with a plane, line or
+ *              another cone as said below
+ *       size   > 0: how far unbounded primitives (from pos, both ways) or the
+ *              bisecting cone (from its apex) go
+ *       o      IX_FORM_IRIT: in pairs with a sphere, and cones with one apex,
+ *              the offset that IRIT has: that of a sphere inside the other (two
+ *              spheres: outside; cones: |a1 - a2|). Else that of the actual
+ *              position. Degrees are those of minimal forms, reduced
+ * Out   *out   one or two surfaces (both nappes of a cone, one on each side of
+ * a plane); ix_crvs_free Err   IX_EARG    size, radius, angle, direction out of
+ * range; a pair that is not offered: plane/plane, plane/torus, line/torus,
+ *                  torus/torus, cylinder/torus, cone/torus; a line and a cone
+ *                  whose apex is not on it
+ *       IX_EDOMAIN parallel axes; a plane parallel to a ruling of a cone; the
+ *                  same apex and point, or other positions without a bisector
+ *                  surface (the message names them)
+ * Src   Dutta & Hoffmann 1993; spec of IRIT's BSCT functions */
+ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
+                           double size, const ix_op_opts *o,
+                           ix_crvs *out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

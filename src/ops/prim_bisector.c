@@ -1,0 +1,453 @@
+/* prim_bisector.c - the bisector of two primitives: which reduction serves.
+ *
+ * Points at the distance h from a primitive are h - r from it grown by r. With
+ * signed growth the second primitive becomes a point, a line or a cone with the
+ * apex of the first; the sign depends on whether one is inside the other. */
+#include <limits.h>
+#include <math.h>
+
+#include "geom/angle.h"
+#include "geom/crvs.h"
+#include "geom/vec3.h"
+#include "ops/prim.h"
+#include "ops/report.h"
+
+typedef struct {
+    ix_prim a, b; /* a.kind >= b.kind; directions of length 1 */
+    double size;
+    bool irit;
+    ix_op_opts opts;
+    ix_crvs *out;
+} task;
+
+/* --- results ---------------------------------------------------------------
+ */
+
+/* Takes over n surfaces, in the lowest degrees. */
+static ix_status deliver(ix_ctx *ctx, task *k, int n, ix_mv *const *s)
+{
+    ix_status st = ix__crvs_new(ctx, n, k->out);
+
+    for (int i = 0; i < n; i++) {
+        if (st == IX_OK)
+            st = ix_sym_reduce(ctx, s[i], 0.0, NULL, &k->out->crv[i]);
+        if (st == IX_OK)
+            ix_mv_domain(k->out->crv[i], 0, k->out->t + 2 * i);
+        ix_mv_unref(ctx, s[i]);
+    }
+    if (st != IX_OK)
+        ix_crvs_free(ctx, k->out);
+    return st;
+}
+
+/* --- a point ----------------------------------------------------------------
+ */
+
+/* The plane halfway between two points. */
+static ix_status two_points(ix_ctx *ctx, task *k, const double q[3])
+{
+    ix_prim p = {.kind = IX_PRIM_PLANE};
+    ix_mv *s;
+
+    for (int i = 0; i < 3; i++) {
+        p.pos[i] = 0.5 * (k->a.pos[i] + q[i]);
+        p.dir[i] = q[i] - k->a.pos[i];
+    }
+    if (!(ix__len3(p.dir) > 0))
+        return IX_FAIL(ctx, IX_EDOMAIN, "both are one point");
+    IX_TRY(ix__prim_surface(ctx, &p, k->size, &s));
+    return deliver(ctx, k, 1, &s);
+}
+
+static ix_status line_segment(ix_ctx *ctx, const ix_prim *p, double size,
+                              ix_mv **out)
+{
+    const ix_dir d = {IX_BEZIER, 2, 2, false, NULL};
+    double pts[6];
+
+    for (int i = 0; i < 3; i++) {
+        pts[2 * i] = p->pos[i] - size * p->dir[i];
+        pts[2 * i + 1] = p->pos[i] + size * p->dir[i];
+    }
+    return ix_mv_new(ctx, 1, &d, 3, false, pts, out);
+}
+
+static ix_status circle_of(ix_ctx *ctx, const ix_prim *p, ix_mv **out)
+{
+    static const double zero[3] = {0, 0, 0};
+    double m[16] = {0};
+    ix_prim_axes e;
+    ix_mv *c;
+    ix_status st;
+
+    IX_TRY(ix__prim_axes(ctx, p, &e));
+    for (int i = 0; i < 3; i++) {
+        m[i] = e.x[i];
+        m[4 + i] = e.y[i];
+        m[8 + i] = e.z[i];
+        m[12 + i] = p->pos[i];
+    }
+    m[15] = 1;
+    IX_TRY(ix_circle(ctx, zero, p->major, &c));
+    st = ix_mv_transform(ctx, c, m, out);
+    ix_mv_unref(ctx, c);
+    return st;
+}
+
+/* A line, or the circle that a torus of minor radius 0 is, and a point. */
+static ix_status curve_point(ix_ctx *ctx, task *k, const ix_prim *p,
+                             const double q[3])
+{
+    ix_ruling r = {IX_RULING_PLANES, {-k->size, k->size}, {0, 0, 0}};
+    ix_mv *c, *s;
+    ix_status st;
+
+    if (p->kind == IX_PRIM_TORUS)
+        IX_TRY(circle_of(ctx, p, &c));
+    else
+        IX_TRY(line_segment(ctx, p, k->size, &c));
+    st = ix_pt_crv_bisector3d(ctx, c, q, 0.5, &r, NULL, NULL, &s);
+    ix_mv_unref(ctx, c);
+    IX_TRY(st);
+    return deliver(ctx, k, 1, &s);
+}
+
+/* The primitive p, grown or shrunk, and a point. */
+static ix_status with_point(ix_ctx *ctx, task *k, const ix_prim *p,
+                            const double q[3])
+{
+    ix_mv *srf, *s;
+    ix_status st;
+
+    if (p->kind == IX_PRIM_POINT ||
+        (p->kind == IX_PRIM_SPHERE && p->radius == 0.0))
+        return two_points(ctx, k, q);
+    if (p->kind == IX_PRIM_LINE ||
+        (p->radius == 0.0 &&
+         (p->kind == IX_PRIM_CYLINDER || p->kind == IX_PRIM_TORUS)))
+        return curve_point(ctx, k, p, q);
+    IX_TRY(ix__prim_surface(ctx, p, k->size, &srf));
+    st = ix_pt_srf_bisector(ctx, srf, q, &k->opts, NULL, &s);
+    ix_mv_unref(ctx, srf);
+    IX_TRY(st);
+    return deliver(ctx, k, 1, &s);
+}
+
+/* --- a sphere ---------------------------------------------------------------
+ */
+
+/* Distance of q from the axis, and along it. */
+static double off_axis(const ix_prim *p, const double q[3], double *along)
+{
+    double r[3];
+
+    ix__sub3(q, p->pos, r);
+    *along = ix__dot3(r, p->dir);
+    ix__axpy3(r, -*along, p->dir, r);
+    return ix__len3(r);
+}
+
+/* True if q is inside the closed surface, or where the cone opens. */
+static bool inside(const ix_prim *p, const double q[3])
+{
+    double z, rho = off_axis(p, q, &z);
+
+    switch (p->kind) {
+    case IX_PRIM_SPHERE:
+        return ix__dist3(q, p->pos) < p->radius;
+    case IX_PRIM_CYLINDER:
+        return rho < p->radius;
+    case IX_PRIM_CONE:
+        return z > 0 && rho < z * tan(IX__RADIANS(p->degrees));
+    default:
+        return hypot(rho - p->major, z) < p->radius;
+    }
+}
+
+/* a and a sphere: a becomes so much larger or smaller that the sphere is a
+ * point. Of spheres the smaller one shrinks to a point. */
+static ix_status with_sphere(ix_ctx *ctx, task *k)
+{
+    double r = k->b.radius, z, s;
+    ix_prim p = k->a;
+    bool in = k->irit ? p.kind != IX_PRIM_SPHERE : inside(&p, k->b.pos);
+
+    switch (p.kind) {
+    case IX_PRIM_PLANE:
+        (void)off_axis(&p, k->b.pos, &z);
+        ix__axpy3(p.pos, z < 0 ? r : -r, p.dir, p.pos);
+        break;
+    case IX_PRIM_LINE:
+        p.kind = IX_PRIM_CYLINDER;
+        p.radius = r;
+        break;
+    case IX_PRIM_CONE:
+        s = r / sin(IX__RADIANS(p.degrees));
+        ix__axpy3(p.pos, in ? -s : s, p.dir, p.pos);
+        break;
+    default:
+        p.radius = in ? p.radius + r : fabs(p.radius - r);
+    }
+    return with_point(ctx, k, &p, k->b.pos);
+}
+
+/* --- one apex ---------------------------------------------------------------
+ */
+
+static ix_status apex_pair(ix_ctx *ctx, task *k, const double apex[3],
+                           const double n[3], double degrees, const double u[3])
+{
+    ix_mv *s[2];
+
+    IX_TRY(ix__prim_apex(ctx, apex, n, degrees, u, k->size, s));
+    return deliver(ctx, k, 2, s);
+}
+
+static double angle_between(const double a[3], const double b[3])
+{
+    double c[3];
+
+    ix__cross3(a, b, c);
+    return IX__DEG(atan2(ix__len3(c), ix__dot3(a, b)));
+}
+
+static bool same_point(const task *k, const double p[3], const double q[3])
+{
+    return ix__dist3(p, q) <= 1e-12 * (k->size + ix__len3(p) + ix__len3(q));
+}
+
+/* The plane between the axes of cones with one apex and one angle. */
+static ix_status equal_cones(ix_ctx *ctx, task *k)
+{
+    ix_prim p = {.kind = IX_PRIM_PLANE};
+    ix_mv *s;
+
+    ix__axpy3(k->a.pos, 0.0, k->a.dir, p.pos);
+    ix__sub3(k->a.dir, k->b.dir, p.dir);
+    IX_TRY(ix__prim_surface(ctx, &p, k->size, &s));
+    return deliver(ctx, k, 1, &s);
+}
+
+/* Cones with one apex: the narrower one shrinks to its axis. */
+static ix_status cone_cone(ix_ctx *ctx, task *k)
+{
+    const ix_prim *a = &k->a, *b = &k->b;
+    double apart = angle_between(a->dir, b->dir);
+    bool in = apart < fmax(a->degrees, b->degrees) && !k->irit;
+    double angle = in ? a->degrees + b->degrees : fabs(a->degrees - b->degrees);
+
+    if (a->degrees < b->degrees) {
+        a = &k->b;
+        b = &k->a;
+    }
+    if (a->degrees == b->degrees && !(apart > 1e-12))
+        return IX_FAIL(ctx, IX_EDOMAIN, "both are one cone");
+    return angle == 0.0 ? equal_cones(ctx, k)
+                        : apex_pair(ctx, k, a->pos, a->dir, angle, b->dir);
+}
+
+static ix_status line_cone(ix_ctx *ctx, task *k)
+{
+    double z;
+
+    if (off_axis(&k->b, k->a.pos, &z) > 1e-12 * (k->size + fabs(z)))
+        return IX_FAIL(ctx, IX_EARG,
+                       "the line misses the apex of the cone: only lines "
+                       "through it are offered");
+    return apex_pair(ctx, k, k->a.pos, k->a.dir, k->a.degrees, k->b.dir);
+}
+
+/* The plane and a line that meets it. */
+static ix_status plane_line(ix_ctx *ctx, task *k, const ix_prim *plane,
+                            const ix_prim *line)
+{
+    double r[3], apex[3], slope = ix__dot3(plane->dir, line->dir);
+
+    if (!(fabs(slope) > 1e-9))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "the axis is parallel to the plane (sine %.3g): the "
+                       "bisector is a parabolic cylinder or a plane",
+                       slope);
+    ix__sub3(plane->pos, line->pos, r);
+    ix__axpy3(line->pos, ix__dot3(r, plane->dir) / slope, line->dir, apex);
+    return apex_pair(ctx, k, apex, plane->dir, 90.0, line->dir);
+}
+
+/* One surface on each side of the plane: that side's nappe of the bisector of
+ * the axis and the plane moved away from it by the radius. */
+static ix_status plane_cylinder(ix_ctx *ctx, task *k)
+{
+    const ix_prim *plane = k->a.kind == IX_PRIM_PLANE ? &k->a : &k->b;
+    const ix_prim *cyl = k->a.kind == IX_PRIM_PLANE ? &k->b : &k->a;
+    ix_mv *s[2] = {NULL, NULL};
+    ix_status st = IX_OK;
+
+    for (int i = 0; i < 2 && st == IX_OK; i++) {
+        ix_prim p = *plane;
+        ix_crvs both = {0};
+        task own = *k;
+
+        own.out = &both;
+        ix__axpy3(p.pos, i ? cyl->radius : -cyl->radius, p.dir, p.pos);
+        st = plane_line(ctx, &own, &p, cyl);
+        for (int j = 0; j < both.n; j++) {
+            double uv[2] = {both.t[0] + 0.37, 1.0}, x[3], z;
+
+            if (st == IX_OK)
+                st = ix_mv_point(ctx, both.crv[j], uv, x);
+            (void)off_axis(&p, x, &z);
+            if (st == IX_OK && !s[i] && (i ? z < 0 : z > 0))
+                s[i] = ix_mv_ref(both.crv[j]);
+        }
+        ix_crvs_free(ctx, &both);
+    }
+    if (st == IX_OK && s[0] && s[1])
+        return deliver(ctx, k, 2, s);
+    ix_mv_unref(ctx, s[0]);
+    ix_mv_unref(ctx, s[1]);
+    if (st == IX_OK)
+        st = IX_FAIL(ctx, IX_EUNABLE, "no nappe on one side of the plane");
+    return st;
+}
+
+/* Plane and cone are moved inwards alike until the apex is in the plane; with
+ * the plane as the cone of 90 degrees around its normal, angles add up. */
+static ix_status plane_cone(ix_ctx *ctx, task *k)
+{
+    const ix_prim *plane = k->a.kind == IX_PRIM_PLANE ? &k->a : &k->b;
+    const ix_prim *cone = k->a.kind == IX_PRIM_PLANE ? &k->b : &k->a;
+    double s = sin(IX__RADIANS(cone->degrees)), z, slope, apex[3];
+
+    (void)off_axis(plane, cone->pos, &z);
+    slope = 1.0 + ix__dot3(plane->dir, cone->dir) / s;
+    if (!(fabs(slope) > 1e-9))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "the plane is parallel to a ruling of the cone");
+    ix__axpy3(cone->pos, -z / slope / s, cone->dir, apex);
+    return apex_pair(ctx, k, apex, plane->dir, 90.0 + cone->degrees, cone->dir);
+}
+
+/* --- which ------------------------------------------------------------------
+ */
+
+static ix_status lines(ix_ctx *ctx, task *k)
+{
+    ix_mv *c[2] = {NULL, NULL}, *s = NULL;
+    ix_status st = line_segment(ctx, &k->a, k->size, &c[0]);
+
+    if (st == IX_OK)
+        st = line_segment(ctx, &k->b, k->size, &c[1]);
+    if (st == IX_OK)
+        st = ix_cbisector3d(ctx, c[0], c[1], &k->opts, NULL, &s);
+    ix_mv_unref(ctx, c[0]);
+    ix_mv_unref(ctx, c[1]);
+    return st == IX_OK ? deliver(ctx, k, 1, &s) : st;
+}
+
+/* A line is a cylinder of radius 0. */
+static ix_status tangents(ix_ctx *ctx, task *k)
+{
+    ix_mv *s;
+
+    IX_TRY(ix__prim_tangents(ctx, &k->a, &k->b, &s));
+    return deliver(ctx, k, 1, &s);
+}
+
+static ix_status with_line(ix_ctx *ctx, task *k)
+{
+    switch (k->a.kind) {
+    case IX_PRIM_LINE:
+        return lines(ctx, k);
+    case IX_PRIM_PLANE:
+        return plane_line(ctx, k, &k->a, &k->b);
+    case IX_PRIM_CONE:
+        return line_cone(ctx, k);
+    default:
+        return IX_FAIL(ctx, IX_EARG,
+                       "the bisector of a line and a torus is "
+                       "not offered");
+    }
+}
+
+/* b is a point, a line or a sphere, or a is none of them. */
+static ix_status reduce(ix_ctx *ctx, task *k)
+{
+    bool axes = k->a.kind >= IX_PRIM_CYLINDER && k->a.kind <= IX_PRIM_CONE;
+
+    if (k->b.kind == IX_PRIM_POINT)
+        return with_point(ctx, k, &k->a, k->b.pos);
+    if (k->b.kind == IX_PRIM_SPHERE)
+        return with_sphere(ctx, k);
+    if (k->b.kind == IX_PRIM_LINE && k->a.kind != IX_PRIM_CYLINDER)
+        return with_line(ctx, k);
+    if (k->b.kind == IX_PRIM_PLANE && k->a.kind == IX_PRIM_CYLINDER)
+        return plane_cylinder(ctx, k);
+    if (k->b.kind == IX_PRIM_PLANE && k->a.kind == IX_PRIM_CONE)
+        return plane_cone(ctx, k);
+    if (!axes || k->b.kind == IX_PRIM_PLANE)
+        return IX_FAIL(ctx, IX_EARG,
+                       "this pair of primitives (%d, %d) is not offered",
+                       (int)k->a.kind, (int)k->b.kind);
+    if (k->a.kind == IX_PRIM_CONE && k->b.kind == IX_PRIM_CONE &&
+        same_point(k, k->a.pos, k->b.pos))
+        return cone_cone(ctx, k);
+    return tangents(ctx, k);
+}
+
+/* --- entry ------------------------------------------------------------------
+ */
+
+static ix_status check_prim(ix_ctx *ctx, ix_prim *p)
+{
+    if (p->kind < IX_PRIM_POINT || p->kind > IX_PRIM_TORUS)
+        return IX_FAIL(ctx, IX_EARG, "primitive %d is not in 0 .. 6",
+                       (int)p->kind);
+    if (!isfinite(p->pos[0] + p->pos[1] + p->pos[2]))
+        return IX_FAIL(ctx, IX_EARG, "position (%g, %g, %g)", p->pos[0],
+                       p->pos[1], p->pos[2]);
+    if (p->kind != IX_PRIM_POINT && p->kind != IX_PRIM_SPHERE)
+        IX_TRY(ix__direction(ctx, "the direction", p->dir, p->dir));
+    if (p->kind == IX_PRIM_LINE)
+        p->radius = 0.0;
+    if ((p->kind >= IX_PRIM_SPHERE && p->kind != IX_PRIM_CONE) &&
+        (!(p->radius >= 0.0) || !isfinite(p->radius)))
+        return IX_FAIL(ctx, IX_EARG, "a radius of %g", p->radius);
+    if (p->kind == IX_PRIM_TORUS && (!(p->major > 0.0) || !isfinite(p->major)))
+        return IX_FAIL(ctx, IX_EARG, "a major radius of %g", p->major);
+    if (p->kind == IX_PRIM_CONE && !(p->degrees > 0.0 && p->degrees < 90.0))
+        return IX_FAIL(ctx, IX_EARG, "an angle of %g degrees is not in 0 .. 90",
+                       p->degrees);
+    return IX_OK;
+}
+
+/* The order of reduction: what becomes a point or a line goes last. */
+static bool goes_last(const ix_prim *p, const ix_prim *than)
+{
+    static const int rank[] = {
+        [IX_PRIM_POINT] = 0, [IX_PRIM_SPHERE] = 1,   [IX_PRIM_LINE] = 2,
+        [IX_PRIM_PLANE] = 3, [IX_PRIM_CYLINDER] = 4, [IX_PRIM_CONE] = 5,
+        [IX_PRIM_TORUS] = 6};
+
+    if (p->kind == IX_PRIM_SPHERE && than->kind == IX_PRIM_SPHERE)
+        return p->radius < than->radius;
+    return rank[p->kind] < rank[than->kind];
+}
+
+ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
+                           double size, const ix_op_opts *o, ix_crvs *out)
+{
+    task k = {.size = size, .out = out};
+    ix_degree_form form;
+
+    *out = (ix_crvs){.n = 0};
+    IX_TRY(ix__form_of_opts(ctx, o, &form));
+    if (!(size > 0.0) || !isfinite(size))
+        return IX_FAIL(ctx, IX_EARG, "a size of %g", size);
+    k.a = goes_last(a, b) ? *b : *a;
+    k.b = goes_last(a, b) ? *a : *b;
+    k.irit = form == IX_FORM_IRIT;
+    k.opts = (ix_op_opts){IX_FORM_MINIMAL, o ? o->max_cont : INT_MAX};
+    IX_TRY(check_prim(ctx, &k.a));
+    IX_TRY(check_prim(ctx, &k.b));
+    IX_RETURN_SCOPED(ctx, reduce(ctx, &k));
+}

@@ -1,0 +1,329 @@
+/* Bisectors of primitives: every point has equal distances from both by closed
+ * forms of the distance, in all pairs, positions and orders. */
+#include <limits.h>
+#include <string.h>
+
+#include "geom/angle.h"
+#include "geom/vec3.h"
+#include "harness/fault.h"
+#include "harness/randmv.h"
+#include "iritx/ops_prim.h"
+
+IX_TEST_FIXTURE(8501)
+
+enum { NDIST = 4 };
+
+/* The distances from x to the feet of its normals, 1 to 4 of them: untrimmed
+ * bisectors have equal distances to some feet. */
+static int distances(const ix_prim *p, const double x[3], double *d)
+{
+    double r[3], u[3] = {0, 0, 1}, z, rho, a = IX__RADIANS(p->degrees);
+
+    ix__sub3(x, p->pos, r);
+    (void)ix__unit3(p->dir, u);
+    z = ix__dot3(r, u);
+    rho = sqrt(fmax(0, ix__dot3(r, r) - z * z));
+    switch (p->kind) {
+    case IX_PRIM_POINT:
+        d[0] = ix__len3(r);
+        return 1;
+    case IX_PRIM_LINE:
+        d[0] = rho;
+        return 1;
+    case IX_PRIM_PLANE:
+        d[0] = fabs(z);
+        return 1;
+    case IX_PRIM_SPHERE:
+        d[0] = fabs(ix__len3(r) - p->radius);
+        d[1] = ix__len3(r) + p->radius;
+        return 2;
+    case IX_PRIM_CYLINDER:
+        d[0] = fabs(rho - p->radius);
+        d[1] = rho + p->radius;
+        return 2;
+    case IX_PRIM_CONE:
+        d[0] = fabs(rho * cos(a) - z * sin(a));
+        d[1] = fabs(rho * cos(a) + z * sin(a));
+        return 2;
+    default:
+        for (int i = 0; i < 4; i++)
+            d[i] = fabs(hypot(rho + (i & 1 ? p->major : -p->major), z) +
+                        (i & 2 ? p->radius : -p->radius));
+        return 4;
+    }
+}
+
+static double gap(const ix_prim *a, const ix_prim *b, const double x[3])
+{
+    double da[NDIST], db[NDIST], best = HUGE_VAL;
+    int na = distances(a, x, da), nb = distances(b, x, db);
+
+    for (int i = 0; i < na; i++)
+        for (int j = 0; j < nb; j++)
+            best = fmin(best, fabs(da[i] - db[j]));
+    return best;
+}
+
+static double largest_weight(const ix_mv *m)
+{
+    double big = 0;
+
+    for (size_t i = 0; i < ix_mv_npts(m); i++)
+        big = fmax(big, fabs(ix_mv_weights(m)[i]));
+    return big;
+}
+
+/* Conditioned points (not within a thousandth of a pole) of all surfaces. */
+static int check_points(const ix_prim *a, const ix_prim *b, const ix_crvs *s,
+                        double tol)
+{
+    int seen = 0;
+
+    for (int i = 0; i < s->n; i++)
+        for (int j = 0; j < 25; j++) {
+            double t[2], x[3], w[4], dom[2], g, size;
+
+            for (int k = 0; k < 2; k++) {
+                ix_mv_domain(s->crv[i], k, dom);
+                t[k] = dom[0] +
+                       (dom[1] - dom[0]) * ((k ? j / 5 : j % 5) + 0.43) / 5;
+            }
+            ASSERT_OK(ctx, ix_mv_eval(ctx, s->crv[i], t, w));
+            if (ix_mv_rational(s->crv[i]) &&
+                fabs(w[0]) < 1e-3 * largest_weight(s->crv[i]))
+                continue;
+            if (ix_mv_point(ctx, s->crv[i], t, x) != IX_OK)
+                continue;
+            g = gap(a, b, x);
+            size = 1 + ix__len3(x);
+            if (!(g <= tol * size))
+                fail_msg("kinds %d and %d: gap %g at (%g, %g, %g)", a->kind,
+                         b->kind, g, x[0], x[1], x[2]);
+            seen++;
+        }
+    return seen;
+}
+
+static void rand_vec(double *v, double size)
+{
+    for (int k = 0; k < 3; k++)
+        v[k] = ix_rng_range(&rng, -size, size);
+}
+
+static ix_prim rand_prim(int kind)
+{
+    ix_prim p = {.kind = (ix_prim_kind)kind,
+                 .radius = ix_rng_range(&rng, 0.2, 0.6),
+                 .major = ix_rng_range(&rng, 0.8, 1.5),
+                 .degrees = ix_rng_range(&rng, 15, 50)};
+
+    rand_vec(p.pos, 2);
+    rand_vec(p.dir, 1);
+    return p;
+}
+
+/* Law: equal distances, for every pair that is offered and random positions;
+ * rounding: 1e-9 of the distance from the origin, which is what the condition
+ * of near-poles of weight 1e-3 leaves. */
+static void equal_distances(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 420; i++) {
+        int ka = i % 7, kb = i / 7 % 7;
+        ix_prim a = rand_prim(ka), b = rand_prim(kb);
+        ix_crvs s;
+        ix_status st;
+
+        if (ka == IX_PRIM_CONE &&
+            (kb == IX_PRIM_LINE || (kb == IX_PRIM_CONE && i & 1)))
+            memcpy(b.pos, a.pos, sizeof b.pos);
+        if (i > 300) /* what becomes points and planes */
+            b.radius = a.radius, b.degrees = a.degrees;
+        if (kb == IX_PRIM_CONE && ka == IX_PRIM_LINE)
+            memcpy(a.pos, b.pos, sizeof a.pos);
+        st = ix_prim_bisector(ctx, &a, &b, 3.0, NULL, &s);
+        if (st != IX_OK) {
+            if (st != IX_EARG) /* not offered */
+                fail_msg("kinds %d and %d: %s", ka, kb, ix_ctx_message(ctx));
+            assert_true(ka == kb || ka == IX_PRIM_TORUS || kb == IX_PRIM_TORUS);
+            assert_null(s.crv);
+            continue;
+        }
+        if (check_points(&a, &b, &s, 1e-9) == 0)
+            fail_msg("no point of kinds %d and %d", ka, kb);
+        ix_crvs_free(ctx, &s);
+    }
+}
+
+/* IRIT's choice of offsets is right for a sphere inside the other. */
+static void irit_offsets(void **state)
+{
+    const ix_op_opts o = {IX_FORM_IRIT, INT_MAX};
+    ix_prim ball = {.kind = IX_PRIM_SPHERE, .radius = 0.2};
+    ix_prim a = {.radius = 1, .major = 2, .degrees = 30, .dir = {0, 0, 1}};
+
+    (void)state;
+    for (int kind = IX_PRIM_CYLINDER; kind <= IX_PRIM_TORUS; kind++) {
+        ix_crvs s, t;
+
+        a.kind = (ix_prim_kind)kind;
+        ball.pos[0] = kind == IX_PRIM_TORUS ? 2.1 : 0.1;
+        ball.pos[2] = kind == IX_PRIM_CONE ? 1.5 : 0.1;
+        ASSERT_OK(ctx, ix_prim_bisector(ctx, &a, &ball, 2, &o, &s));
+        ASSERT_OK(ctx, ix_prim_bisector(ctx, &ball, &a, 2, NULL, &t));
+        assert_true(ix_mv_equal(s.crv[0], t.crv[0], 1e-12));
+        assert_true(check_points(&a, &ball, &s, 1e-9) > 0);
+        ix_crvs_free(ctx, &s);
+        ix_crvs_free(ctx, &t);
+    }
+}
+
+/* Coaxial cones of 50 and 20 degrees: the cone of 35; IRIT's offset: of 15. A
+ * cone of 30 degrees and its axis: 15. A plane and its normal: 45. */
+static void coaxial(void **state)
+{
+    static const double z[3] = {0, 0, 1};
+    const ix_op_opts o[2] = {{IX_FORM_MINIMAL, INT_MAX},
+                             {IX_FORM_IRIT, INT_MAX}};
+    const struct {
+        ix_prim_kind a, b;
+        double da, db, angle;
+        int form;
+    } c[] = {{IX_PRIM_CONE, IX_PRIM_CONE, 50, 20, 35, 0},
+             {IX_PRIM_CONE, IX_PRIM_CONE, 50, 20, 15, 1},
+             {IX_PRIM_CONE, IX_PRIM_LINE, 30, 0, 15, 0},
+             {IX_PRIM_LINE, IX_PRIM_PLANE, 0, 0, 45, 0}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+        ix_prim a = {.kind = c[i].a, .degrees = c[i].da, .dir = {0, 0, 1}};
+        ix_prim b = {.kind = c[i].b, .degrees = c[i].db, .dir = {0, 0, 2}};
+        ix_crvs s;
+
+        ASSERT_OK(ctx, ix_prim_bisector(ctx, &a, &b, 2, &o[c[i].form], &s));
+        assert_int_equal(s.n, 2);
+        for (int j = 0; j < 2; j++) {
+            double t[2] = {1.3, 0.7}, x[3], cosine;
+
+            ASSERT_OK(ctx, ix_mv_point(ctx, s.crv[j], t, x));
+            cosine = fabs(ix__dot3(x, z)) / ix__len3(x);
+            ASSERT_CLOSE(cosine, cos(IX__RADIANS(c[i].angle)), 1e-13);
+            assert_true(ix_mv_order(s.crv[j], 0) == 3);
+            t[1] = 1;
+            ASSERT_OK(ctx, ix_mv_point(ctx, s.crv[j], t, x));
+            ASSERT_CLOSE(ix__len3(x), 2, 1e-12);
+        }
+        ix_crvs_free(ctx, &s);
+    }
+}
+
+static void expect(const ix_prim *a, const ix_prim *b, double size,
+                   ix_status st, const char *text)
+{
+    ix_crvs s;
+
+    assert_int_equal(ix_prim_bisector(ctx, a, b, size, NULL, &s), st);
+    assert_int_equal(s.n, 0);
+    if (!strstr(ix_ctx_message(ctx), text))
+        fail_msg("\"%s\" is not in \"%s\"", text, ix_ctx_message(ctx));
+}
+
+static void refused(void **state)
+{
+    ix_prim a = {.kind = IX_PRIM_CYLINDER, .radius = 1, .dir = {0, 0, 1}};
+    ix_prim b = {.kind = IX_PRIM_CYLINDER,
+                 .radius = 0.5,
+                 .dir = {0, 0, 3},
+                 .pos = {4, 0, 0}};
+
+    (void)state;
+    expect(&a, &b, 2, IX_EDOMAIN, "axes are parallel");
+    expect(&a, &b, 0, IX_EARG, "a size of 0");
+    b.kind = IX_PRIM_PLANE;
+    b.dir[0] = 1, b.dir[2] = 0;
+    expect(&a, &b, 2, IX_EDOMAIN, "parallel to the plane");
+    expect(&b, &b, 2, IX_EARG, "not offered");
+    b.kind = IX_PRIM_CONE;
+    b.degrees = 90;
+    expect(&a, &b, 2, IX_EARG, "an angle of 90 degrees");
+    b.degrees = 30;
+    a.kind = IX_PRIM_LINE;
+    expect(&a, &b, 2, IX_EARG, "misses the apex");
+    a.kind = IX_PRIM_PLANE;
+    a.dir[0] = 0.5, a.dir[2] = 0;
+    b.dir[0] = -sin(IX__RADIANS(30)), b.dir[2] = cos(IX__RADIANS(30));
+    expect(&a, &b, 2, IX_EDOMAIN, "parallel to a ruling");
+    expect(&b, &b, 2, IX_EDOMAIN, "both are one cone");
+    a.kind = IX_PRIM_SPHERE;
+    a.radius = -1;
+    expect(&a, &b, 2, IX_EARG, "a radius of -1");
+    a.kind = IX_PRIM_TORUS;
+    a.radius = 0.1;
+    expect(&a, &b, 2, IX_EARG, "a major radius of 0");
+    a.kind = IX_PRIM_POINT;
+    expect(&a, &a, 2, IX_EDOMAIN, "both are one point");
+    a.pos[1] = NAN;
+    expect(&a, &b, 2, IX_EARG, "position (0, nan, 0)");
+    a.kind = (ix_prim_kind)9;
+    expect(&a, &b, 2, IX_EARG, "primitive 9");
+    a = (ix_prim){.kind = IX_PRIM_LINE};
+    expect(&a, &b, 2, IX_EARG, "no direction");
+}
+
+typedef struct {
+    int which;
+    ix_crvs s;
+} operands;
+
+static void make(ix_ctx *own, void *state)
+{
+    (void)own;
+    ((operands *)state)->s = (ix_crvs){.n = 0};
+}
+
+static ix_status call(ix_ctx *own, void *state)
+{
+    static const ix_prim p[][2] = {
+        {{.kind = IX_PRIM_PLANE, .dir = {0, 0, 1}},
+         {.kind = IX_PRIM_CYLINDER, .dir = {0, 0.2, 1}, .radius = 0.4}},
+        {{.kind = IX_PRIM_TORUS, .dir = {0, 0, 1}, .radius = 0.3, .major = 1},
+         {.kind = IX_PRIM_SPHERE, .pos = {3, 0, 0}, .radius = 0.3}},
+        {{.kind = IX_PRIM_LINE, .dir = {0, 0, 1}},
+         {.kind = IX_PRIM_LINE, .pos = {3, 0, 0}, .dir = {0, 1, 0}}},
+        {{.kind = IX_PRIM_CYLINDER, .dir = {0, 0, 1}, .radius = 0.3},
+         {.kind = IX_PRIM_CONE,
+          .pos = {3, 0, 0},
+          .dir = {0, 1, 0},
+          .degrees = 9}}};
+    operands *o = state;
+
+    return ix_prim_bisector(own, &p[o->which][0], &p[o->which][1], 2, NULL,
+                            &o->s);
+}
+
+static void release(ix_ctx *own, void *state)
+{
+    ix_crvs_free(own, &((operands *)state)->s);
+}
+
+static void memory_may_fail(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        operands o = {.which = i};
+        ix_fault_case c = {make, call, release, &o};
+
+        assert_true(ix_fault_run(&c) > 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_distances), cmocka_unit_test(irit_offsets),
+        cmocka_unit_test(coaxial),         cmocka_unit_test(refused),
+        cmocka_unit_test(memory_may_fail),
+    };
+
+    return cmocka_run_group_tests(tests, setup, teardown);
+}
