@@ -207,6 +207,8 @@ check-web: $(PROG)                                  ## the page of "iritx view" 
 
 # --- installing --------------------------------------------------------------
 D := $(DESTDIR)$(PREFIX)
+FILL_IN := sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|'
+MAN     := $(notdir $(wildcard docs/man/*))
 install: all                                        ## into PREFIX (/usr/local), below DESTDIR
 	install -d $(D)/bin $(D)/lib/pkgconfig $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx
 	install -m 644 $(PUB_HDR) $(D)/include/iritx
@@ -216,15 +218,19 @@ install: all                                        ## into PREFIX (/usr/local),
 	ln -sf libiritx.so.$(SOVER) $(D)/lib/libiritx.so
 	$(if $(PROG),install -m 755 $(PROG) $(D)/bin)
 	$(if $(MODULE),install -d $(D)/lib/iritx && install -m 755 $(MODULE) $(D)/lib/iritx)
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@PKGS@|$(PKGS)|' \
-	 scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
-	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx
+	$(FILL_IN) scripts/dev/iritx.pc.in > $(D)/lib/pkgconfig/iritx.pc
+	cp -R README.md LICENSE CHANGELOG.md docs/. $(D)/share/doc/iritx && rm -rf $(D)/share/doc/iritx/man
+	install -d $(addprefix $(D)/share/man/man,1 3) $(D)/share/bash-completion/completions
+	for m in $(MAN); do $(FILL_IN) docs/man/$$m > $(D)/share/man/man$${m##*.}/$$m || exit 1; done
+	install -m 644 scripts/completion/iritx.bash $(D)/share/bash-completion/completions/iritx
 	[ ! -e $(WEB) ] || install -m 644 $(WEB) $(WEB:.js=.LICENSE) $(D)/share/iritx
 	for f in scripts/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
 uninstall:                                          ## remove what "install" put there
 	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc
 	rm -f $(D)/bin/iritx $(D)/lib/libiritx.a $(D)/lib/libiritx.so $(D)/lib/libiritx.so.*
 	rm -rf $(D)/lib/iritx
+	for m in $(MAN); do rm -f $(D)/share/man/man$${m##*.}/$$m; done
+	rm -f $(D)/share/bash-completion/completions/iritx
 dist:                                               ## build/iritx-VERSION.tar.gz
 	@mkdir -p build
 	@if git rev-parse HEAD >/dev/null 2>&1; \

@@ -129,6 +129,43 @@ typedef struct {
     double mat[16];
 } ix_instance;
 
+/* --- objects: counted, mutable boxes ------------------------------------- */
+/* Makers return a new reference, NULL without memory (message recorded). */
+ix_obj *ix_obj_number(ix_ctx *ctx, double v);
+ix_obj *ix_obj_string(ix_ctx *ctx, const char *s);
+ix_obj *ix_obj_point(ix_ctx *ctx, const double p[3]);
+ix_obj *ix_obj_vector(ix_ctx *ctx, const double v[3]);
+/* A curve, surface, trivariate or multivariate, by m's directions. Takes over
+ * the caller's reference to m, also if it fails. */
+ix_obj *ix_obj_freeform(ix_ctx *ctx, const ix_mv *m);
+ix_obj *ix_obj_list(ix_ctx *ctx); /* empty */
+/* Appends o to a list and takes it over, also if it fails. Err IX_ENOMEM, also
+ * if o is NULL, so that a maker may stand as the argument; IX_EARG not a list,
+ * or o holds it. */
+ix_status ix_obj_list_add(ix_ctx *ctx, ix_obj *list, ix_obj *o) IX_MUST_CHECK;
+
+ix_obj *ix_obj_ref(ix_obj *o);
+void ix_obj_unref(ix_ctx *ctx, ix_obj *o); /* o may be NULL */
+
+ix_obj_type ix_obj_type_of(const ix_obj *o);
+const char *ix_obj_name(const ix_obj *o); /* "" if it has none; borrowed */
+/* Upper case is usual; NULL or "": no name. Err IX_ENOMEM. */
+ix_status ix_obj_set_name(ix_ctx *ctx, ix_obj *o,
+                          const char *name) IX_MUST_CHECK;
+int ix_obj_list_size(const ix_obj *list);            /* 0 of other types */
+ix_obj *ix_obj_list_item(const ix_obj *list, int i); /* borrowed; NULL: none */
+double ix_obj_num(const ix_obj *o);                  /* NaN of other types */
+const char *ix_obj_str(const ix_obj *o); /* borrowed; NULL of other types */
+/* x, y, z of a point or vector; false of other types. */
+bool ix_obj_xyz(const ix_obj *o, double xyz[3]);
+/* The freeforms that an object holds: one, several if they are linked, none of
+ * other types. */
+int ix_obj_mv_count(const ix_obj *o);
+const ix_mv *ix_obj_mv(const ix_obj *o, int i); /* borrowed; NULL: none */
+/* An attribute, such as "rgb" with "255,0,0". Err IX_ENOMEM. */
+ix_status ix_obj_set_attr(ix_ctx *ctx, ix_obj *o, const char *name,
+                          const char *value) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif
