@@ -212,8 +212,8 @@ static void newton(search *q, const double *f, const double *ferr, ix__mat m,
 
 /* Tensors of the n equations on the box inflated by MARGIN, their errors and
  * sizes. Two passes of dims - 1 layers in each direction extrapolate, which
- * multiplies errors by (1 + 2 MARGIN)^degree at most in each of them; another
- * pass is for the evaluation at a point. */
+ * multiplies errors by (1 + 2 MARGIN)^degree at most in each of them; 5
+ * roundings for each degree are for the evaluation at a point. */
 static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
 {
     const ix__shape *s = &q->sys->t.shape;
@@ -222,7 +222,7 @@ static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
     for (int j = 0; j < s->n; j++) {
         for (int d = 1; d < s->dims[j]; d++)
             grow *= (1 + 2 * MARGIN) * (1 + 2 * MARGIN);
-        layers += 3 * 3 * (s->dims[j] - 1);
+        layers += (2 * 3 + 5) * (s->dims[j] - 1);
     }
     memcpy(q->copy, b->c, (size_t)s->n * s->size * sizeof *q->copy);
     for (int k = 0; k < s->n; k++) {

@@ -103,17 +103,72 @@ static void contract(double *w, size_t inner, int m, double x)
         blend(w, (size_t)(m - k), inner, x);
 }
 
+/* The m Bernstein polynomials of degree m - 1 at x, and their derivatives if d
+ * is not NULL: those of degree m - 2, which come on the way, differenced. */
+static void bernstein(int m, double x, double *b, double *d)
+{
+    double q = 1 - x;
+
+    b[0] = 1;
+    if (d && m == 1)
+        d[0] = 0;
+    for (int k = 1; k < m; k++) {
+        if (d && k == m - 1) {
+            d[0] = -k * b[0];
+            for (int i = 1; i < k; i++)
+                d[i] = k * (b[i - 1] - b[i]);
+            d[k] = k * b[k - 1];
+        }
+        b[k] = x * b[k - 1];
+        for (int i = k - 1; i > 0; i--)
+            b[i] = q * b[i] + x * b[i - 1];
+        b[0] *= q;
+    }
+}
+
+/* out[inner] = sum f[k] w[k][inner]; out may be w. */
+static void weigh(size_t inner, int m, const double *f, const double *w,
+                  double *out)
+{
+    for (size_t i = 0; i < inner; i++) {
+        double sum = f[0] * w[i];
+
+        for (int k = 1; k < m; k++)
+            sum += f[k] * w[(size_t)k * inner + i];
+        out[i] = sum;
+    }
+}
+
+static bool few_layers(const ix__shape *s)
+{
+    for (int j = 0; j < s->n; j++)
+        if (s->dims[j] > MAX_LAYERS)
+            return false;
+    return true;
+}
+
 double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
                         double *work)
 {
-    memcpy(work, c, s->size * sizeof *c);
-    for (int j = s->n - 1; j >= 0; j--)
-        contract(work, s->stride[j], s->dims[j], x[j]);
+    double b[MAX_LAYERS];
+
+    if (!few_layers(s)) {
+        memcpy(work, c, s->size * sizeof *c);
+        for (int j = s->n - 1; j >= 0; j--)
+            contract(work, s->stride[j], s->dims[j], x[j]);
+        return work[0];
+    }
+    for (int j = s->n - 1; j >= 0; j--) {
+        bernstein(s->dims[j], x[j], b, NULL);
+        weigh(s->stride[j], s->dims[j], b, c, work);
+        c = work;
+    }
     return work[0];
 }
 
-void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
-                         double *grad, double *work)
+/* By de Casteljau, for any number of layers. */
+static void gradient_by_layers(const ix__shape *s, const double *c,
+                               const double *x, double *grad, double *work)
 {
     double *w = work + s->size;
     size_t left = s->size;
@@ -137,6 +192,29 @@ void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
         grad[j] = w[0];
         contract(work, inner, m, x[j]);
         left = inner;
+    }
+}
+
+void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
+                         double *grad, double *work)
+{
+    double b[IX_MAX_UNKNOWNS][MAX_LAYERS], d[MAX_LAYERS];
+    double *w = work + s->size;
+
+    if (!few_layers(s)) {
+        gradient_by_layers(s, c, x, grad, work);
+        return;
+    }
+    for (int j = 0; j + 1 < s->n; j++)
+        bernstein(s->dims[j], x[j], b[j], NULL);
+    for (int j = s->n - 1; j >= 0; j--) {
+        bernstein(s->dims[j], x[j], b[j], d);
+        weigh(s->stride[j], s->dims[j], d, c, w);
+        for (int k = j - 1; k >= 0; k--)
+            weigh(s->stride[k], s->dims[k], b[k], w, w);
+        grad[j] = w[0];
+        weigh(s->stride[j], s->dims[j], b[j], c, work);
+        c = work;
     }
 }
 
