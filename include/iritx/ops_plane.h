@@ -1,0 +1,138 @@
+/* ops_plane.h - true bisectors in the plane: what is equally far from two
+ * objects, with the distance to the whole objects.
+ *
+ * An object is one curve or several, or a point. Curves have two coordinates
+ * (further ones are dropped), any basis but power, any degree, may be rational,
+ * closed, have corners and cusps; they are borrowed. Ends belong to them.
+ *
+ * The result is exact in this sense: every vertex has both feet, and the same
+ * distance from both whole objects within a few roundings of their size;
+ * places where pieces meet are found to the last digits. */
+#ifndef IRITX_OPS_PLANE_H
+#define IRITX_OPS_PLANE_H
+
+#include "iritx/geom.h"
+#include "iritx/solve.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- bisectors ------------------------------------------------------------- */
+
+/* What the feet of a piece are: ends and corners of curves, or the point, are
+ * points; anything else is a curve. */
+typedef enum {
+    IX_POINT_POINT, /* straight */
+    IX_POINT_CURVE, /* rational */
+    IX_CURVE_CURVE  /* in general not rational: a polyline and its feet */
+} ix_bisector_kind;
+
+/* One piece. Vertices are double[n][2]. */
+typedef struct {
+    ix_bisector_kind kind;
+    int n;
+    const double *x;     /* vertices on the bisector */
+    const double *foot;  /* parameters of the feet on both objects */
+    const double *r;     /* [n] distances from both */
+    int curve[2];        /* the curve of each object on which the feet are */
+    bool point[2];       /* the foot stays */
+    bool unbounded[2];   /* the piece goes on to infinity at its start or end;
+                            vertices reach to about 20 times the objects' size */
+    double dir[2][2];    /* then: the unit direction in which it goes */
+    bool joined;         /* begins where the piece before it ends */
+    ix_mv *exact;        /* point-point, point-curve: P2, in the sense of the
+                            vertices; an unbounded end has weight 0. NULL for
+                            curve-curve */
+} ix_bisector_piece;
+
+typedef struct {
+    int n;
+    ix_bisector_piece *piece;
+    bool closed; /* the last piece ends where the first begins */
+    double size; /* of the objects, half the longest edge of their box */
+    size_t bytes;
+} ix_bisector;
+void ix_bisector_free(ix_ctx *ctx, ix_bisector *b);
+
+/* The points that are equally far from a point and a curve.
+ *
+ *   whole false  { b : |b - q| = dist(b, crv) }
+ *   whole true   as false, with the distance from the whole carrier curve, the
+ *                first and last span going on to infinity, and the nearest
+ *                point of it on crv itself
+ *
+ * The region that is nearer to q is convex: its border is dual to the convex
+ * hull of the curve inverted at q.
+ *
+ * In    tol    of the polylines, relative to the objects' size or, farther out,
+ *              the distance; 0: 1e-4. It does not concern the exact pieces
+ * Out   *out   freed with ix_bisector_free; pieces in order, counter-clockwise
+ *              around q. With q on the curve: the parts of its normals on
+ *              which q is nearest, point-point; at an end or a corner these
+ *              bound a region in which all points are equally far (a remark)
+ * Err   IX_EARG    not a curve with at least 2 coordinates; q not finite; tol
+ *                  negative
+ *       IX_EDOMAIN the curve is a point
+ * Num   deterministic; vertices equally far within 1e-13 of the size
+ * Src   Farouki & Johnstone 1994, (70), (71) */
+ix_status ix_bisect_pt_crv(ix_ctx *ctx, const ix_mv *crv, const double q[2],
+                           bool whole, double tol,
+                           ix_bisector *out) IX_MUST_CHECK;
+
+/* --- special points of a point and a curve ---------------------------------
+ */
+
+typedef enum {
+    IX_INFLECTION,    /* of the curve: its curvature is zero */
+    IX_CLASS_POINT,   /* its tangent passes through q: the untrimmed bisector
+                         passes through infinity */
+    IX_CURVE_POLE,    /* the curve itself is at infinity, and the bisector */
+    IX_CUSP,          /* circular point: the circle of curvature passes through
+                         q; the untrimmed bisector has a cusp */
+    IX_EXTRAORDINARY, /* the same where the curvature is stationary: the
+                         bisector has a tangent, but no finite curvature */
+    IX_CROSSING       /* the untrimmed bisector crosses itself */
+} ix_pt_crv_mark;
+
+typedef struct {
+    ix_pt_crv_mark mark;
+    double t;     /* parameter on the curve */
+    double other; /* IX_CROSSING: the other parameter of the same point */
+    double b[2];  /* the point of the untrimmed bisector; NaN at infinity */
+} ix_pt_crv_special;
+
+/* All of them, by increasing t; a crossing is listed for both parameters. Where
+ * one of the conditions holds along an interval both its ends are listed.
+ *
+ * Out   *out   array of *n, freed with ix_pt_crv_specials_free
+ * Err   IX_EARG    not a curve with at least 2 coordinates; q not finite
+ * Num   by the curve inverted at q: cusps are its inflections, crossings its
+ *       bitangents; all to the accuracy of ix_roots and ix_solve
+ * Src   Farouki & Johnstone 1994, (36), (37), (57) to (59), 3.1 and 3.3 */
+ix_status ix_pt_crv_specials(ix_ctx *ctx, const ix_mv *crv, const double q[2],
+                             ix_pt_crv_special **out, int *n) IX_MUST_CHECK;
+void ix_pt_crv_specials_free(ix_ctx *ctx, ix_pt_crv_special *s, int n);
+
+/* --- two objects -----------------------------------------------------------
+ */
+
+/* The points that are equally far from two objects of n1 and n2 curves, and
+ * that separate what is nearer to one from what is nearer to the other: regions
+ * in which all points have a foot in common (behind a common end) are left out.
+ *
+ * In    tol    as above
+ * Out   *out   pieces in order around the first object, so that those of one
+ *              connected part of the bisector follow each other
+ * Err   IX_EARG    as above
+ *       IX_EDOMAIN a curve is a point
+ * Src   Adamou, Fioravanti, Gonzalez-Vega & Moussa: the kinds of pieces; here
+ *       any degree */
+ix_status ix_bisect_crv_crv(ix_ctx *ctx, int n1, const ix_mv *const *c1, int n2,
+                            const ix_mv *const *c2, double tol,
+                            ix_bisector *out) IX_MUST_CHECK;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,345 @@
+/* plane_bisector.c - pieces of bisectors from runs: vertices in the user's
+ * coordinates, feet as the user's parameters, exact curves. */
+#include <math.h>
+#include <string.h>
+
+#include "geom/parts.h"
+#include "iritx/ops_bisect.h"
+#include "mv/mv.h"
+#include "ops/plane_bisector.h"
+
+/* Unbounded pieces end beyond this distance from the middle of the objects,
+ * whose size is 1. */
+#define REACH 16.0
+
+void ix_bisector_free(ix_ctx *ctx, ix_bisector *b)
+{
+    for (int i = 0; i < b->n; i++)
+        ix_mv_unref(ctx, b->piece[i].exact);
+    ix__free(ctx, b->piece, b->bytes);
+    *b = (ix_bisector){0};
+}
+
+ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out)
+{
+    if (!(tol >= 0.0 && isfinite(tol)))
+        return IX_FAIL(ctx, IX_EARG, "a tolerance of %g: positive, or 0 for "
+                                     "1e-4",
+                       tol);
+    *out = tol > 0.0 ? tol : 1e-4;
+    return IX_OK;
+}
+
+ix_status ix__plane_curves(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                           ix_mv ***out)
+{
+    ix_mv **m;
+
+    for (int i = 0; i < n; i++)
+        if (crv[i]->ndirs != 1 || crv[i]->ncoords < 2)
+            return IX_FAIL(ctx, IX_EARG,
+                           "operand %d has %d directions and %d coordinates: "
+                           "a curve with at least two is needed",
+                           i + 1, crv[i]->ndirs, crv[i]->ncoords);
+    IX_SCRATCH_ZERO(ctx, m, n);
+    for (int i = 0; i < n; i++) {
+        ix_status st = ix_mv_coerce(ctx, crv[i], 2, crv[i]->rational, &m[i]);
+
+        if (st != IX_OK) {
+            ix__mv_unref_all(ctx, m, i);
+            return st;
+        }
+    }
+    *out = m;
+    return IX_OK;
+}
+
+/* --- vertices -------------------------------------------------------------- */
+
+typedef struct {
+    ix_ctx *ctx;
+    const ix__walked *w;
+    const ix__object *obj;
+    const ix_frame *frame;
+    double *data; /* what is left of the block for vertices */
+} maker;
+
+/* Samples of a run that become vertices: [first, end). */
+typedef struct {
+    int first, end;
+} part;
+
+static bool beyond(const ix__sample *s)
+{
+    return !(hypot(s->b[0], s->b[1]) <= REACH);
+}
+
+/* Unbounded ends keep one sample beyond the reach. */
+static part within_reach(const maker *k, const ix__run *r)
+{
+    part p = {0, r->count};
+
+    while (r->far[0] && p.first + 2 < p.end &&
+           beyond(ix__run_at(k->w, r, p.first + 1)))
+        p.first++;
+    while (r->far[1] && p.end - 2 > p.first &&
+           beyond(ix__run_at(k->w, r, p.end - 2)))
+        p.end--;
+    return p;
+}
+
+static double own_parameter(const ix__set *s, const ix__sample *a)
+{
+    const ix__border *e = &s->border[a->border];
+
+    if (e->kind == IX__FAN)
+        return s->vertex[e->index].t;
+    return ix__span_parameter(&s->span[e->index],
+                              e->side > 0 ? a->at : 1.0 - a->at);
+}
+
+static double other_parameter(const ix__set *s, const ix__sample *a)
+{
+    return a->vertex >= 0 ? s->vertex[a->vertex].t
+                          : ix__span_parameter(&s->span[a->foot.span],
+                                               a->foot.u);
+}
+
+static void to_user(const ix_frame *f, const double in[2], double out[2])
+{
+    for (int k = 0; k < 2; k++)
+        out[k] = ldexp(in[k], f->exp) + f->shift[k];
+}
+
+static void vertices(maker *k, const ix__run *r, ix_bisector_piece *p)
+{
+    part q = within_reach(k, r);
+    double *x = k->data, *foot, *rad;
+    const ix__sample *before = NULL;
+    int most = q.end - q.first, n = 0;
+
+    foot = x + 2 * most;
+    rad = foot + 2 * most;
+    k->data = rad + most;
+    for (int i = q.first; i < q.end; i++) {
+        const ix__sample *s = ix__run_at(k->w, r, i);
+
+        if (before && s->b[0] == before->b[0] && s->b[1] == before->b[1] &&
+            i + 1 < q.end)
+            continue;
+        to_user(k->frame, s->b, x + 2 * n);
+        foot[2 * n] = own_parameter(k->obj[0].set, s);
+        foot[2 * n + 1] = other_parameter(k->obj[1].set, s);
+        rad[n++] = ldexp(s->r, k->frame->exp);
+        before = s;
+    }
+    p->n = n;
+    p->x = x;
+    p->foot = foot;
+    p->r = rad;
+}
+
+/* --- exact pieces ----------------------------------------------------------
+ */
+
+/* The user's coordinates of a foot that stays. */
+static ix_status fixed_foot(const maker *k, const ix_bisector_piece *p, int i,
+                            double out[2])
+{
+    const ix__object *o = &k->obj[i];
+    double t = p->foot[i];
+
+    if (o->crv)
+        return ix_mv_point(k->ctx, o->crv[p->curve[i]], &t, out);
+    memcpy(out, o->point, 2 * sizeof(double));
+    return IX_OK;
+}
+
+static ix_status bezier(ix_ctx *ctx, int order, const double *wxy, ix_mv **out)
+{
+    ix_dir d = {.basis = IX_BEZIER, .order = order, .length = order};
+    double pts[9];
+
+    for (int i = 0; i < order; i++)
+        for (int k = 0; k < 3; k++)
+            pts[k * order + i] = wxy[3 * i + k];
+    return ix_mv_new(ctx, 1, &d, 2, true, pts, out);
+}
+
+/* (1, x) of a vertex or (0, direction) at infinity. */
+static void straight_end(const ix_bisector_piece *p, int e, double out[3])
+{
+    const double *x = p->x + (e ? 2 * (p->n - 1) : 0);
+    bool far = p->unbounded[e];
+
+    out[0] = far ? 0.0 : 1.0;
+    out[1] = far ? p->dir[e][0] : x[0];
+    out[2] = far ? p->dir[e][1] : x[1];
+}
+
+static ix_status exact_straight(const maker *k, ix_bisector_piece *p)
+{
+    double c[9], a[2], b[2];
+
+    straight_end(p, 0, c);
+    straight_end(p, 1, c + 3);
+    if (!(p->unbounded[0] && p->unbounded[1]))
+        return bezier(k->ctx, 2, c, &p->exact);
+    IX_TRY(fixed_foot(k, p, 0, a)); /* a whole line: its middle between */
+    IX_TRY(fixed_foot(k, p, 1, b));
+    memcpy(c + 6, c + 3, 3 * sizeof(double));
+    c[3] = 1.0;
+    c[4] = 0.5 * (a[0] + b[0]);
+    c[5] = 0.5 * (a[1] + b[1]);
+    return bezier(k->ctx, 3, c, &p->exact);
+}
+
+/* Ends at infinity have no weight. */
+static ix_status mark_pole(ix_ctx *ctx, int end, ix_mv **m)
+{
+    size_t i = end ? (*m)->npts - 1 : 0;
+    const double *c = (*m)->pts;
+    double pt[3] = {0.0, c[(*m)->npts + i], c[2 * (*m)->npts + i]};
+    ix_mv *out;
+
+    IX_TRY(ix_mv_set_point(ctx, *m, i, pt, &out));
+    ix_mv_unref(ctx, *m);
+    *m = out;
+    return IX_OK;
+}
+
+static ix_status orient(ix_ctx *ctx, bool back, const bool far[2], ix_mv **m)
+{
+    ix_mv *out;
+
+    if (back) {
+        IX_TRY(ix_mv_reverse(ctx, *m, 0, &out));
+        ix_mv_unref(ctx, *m);
+        *m = out;
+    }
+    for (int e = 0; e < 2; e++)
+        if (far[e])
+            IX_TRY(mark_pole(ctx, e, m));
+    return IX_OK;
+}
+
+/* The rational bisector over the parameters of the moving foot; for unbounded
+ * ends those of the last sample of the run, which are at infinity to the last
+ * digits. */
+static ix_status exact_rational(const maker *k, const ix__run *r,
+                                ix_bisector_piece *p)
+{
+    int i = p->point[0] ? 1 : 0;
+    const ix__sample *a = ix__run_at(k->w, r, 0);
+    const ix__sample *b = ix__run_at(k->w, r, r->count - 1);
+    const ix_mv *crv = k->obj[i].crv[p->curve[i]];
+    double q[2], t[2];
+    ix_mv *crv_part, *m;
+    ix_status st;
+
+    IX_TRY(fixed_foot(k, p, 1 - i, q));
+    for (int e = 0; e < 2; e++)
+        t[e] = i ? other_parameter(k->obj[1].set, e ? b : a)
+                 : own_parameter(k->obj[0].set, e ? b : a);
+    if (t[0] == t[1])
+        return IX_OK; /* shorter than rounding */
+    IX_TRY(ix_mv_region(k->ctx, crv, 0, fmin(t[0], t[1]), fmax(t[0], t[1]),
+                        &crv_part));
+    st = ix_pt_crv_bisector(k->ctx, crv_part, q, 0.5, NULL, NULL, &m);
+    ix_mv_unref(k->ctx, crv_part);
+    IX_TRY(st);
+    p->exact = m;
+    return orient(k->ctx, t[0] > t[1], p->unbounded, &p->exact);
+}
+
+/* --- pieces ----------------------------------------------------------------
+ */
+
+static void describe(const maker *k, const ix__run *r, ix_bisector_piece *p)
+{
+    const ix__sample *a = ix__run_at(k->w, r, 0);
+    const ix__border *e = &k->obj[0].set->border[a->border];
+    bool v1 = e->kind == IX__FAN, v2 = a->vertex >= 0;
+
+    p->point[0] = v1;
+    p->point[1] = v2;
+    p->kind = v1 && v2   ? IX_POINT_POINT
+              : v1 || v2 ? IX_POINT_CURVE
+                         : IX_CURVE_CURVE;
+    p->curve[0] = v1 ? k->obj[0].set->vertex[e->index].curve
+                     : k->obj[0].set->span[e->index].curve;
+    p->curve[1] = k->obj[1].set->span[a->foot.span].curve;
+    p->joined = r->joined;
+    for (int i = 0; i < 2; i++) {
+        const ix__sample *s = ix__run_at(k->w, r, i ? r->count - 1 : 0);
+
+        p->unbounded[i] = r->far[i];
+        memcpy(p->dir[i], s->n, sizeof s->n);
+        if (!r->far[i])
+            p->dir[i][0] = p->dir[i][1] = 0.0;
+    }
+}
+
+static ix_status fill(maker *k, ix_bisector *out)
+{
+    for (int i = 0; i < k->w->nruns; i++) {
+        const ix__run *r = &k->w->run[i];
+        ix_bisector_piece *p = &out->piece[i];
+
+        out->n = i + 1;
+        describe(k, r, p);
+        vertices(k, r, p);
+        if (p->kind == IX_POINT_POINT)
+            IX_TRY(exact_straight(k, p));
+        else if (p->kind == IX_POINT_CURVE)
+            IX_TRY(exact_rational(k, r, p));
+    }
+    return IX_OK;
+}
+
+static bool is_closed(const ix_bisector *b)
+{
+    const ix_bisector_piece *a, *z;
+    const double *x, *y;
+
+    if (b->n == 0)
+        return false;
+    a = &b->piece[0];
+    z = &b->piece[b->n - 1];
+    for (int i = 1; i < b->n; i++)
+        if (!b->piece[i].joined)
+            return false;
+    if (a->unbounded[0] || z->unbounded[1])
+        return false;
+    x = a->x;
+    y = z->x + 2 * (z->n - 1);
+    return hypot(x[0] - y[0], x[1] - y[1]) <= 1e-7 * b->size;
+}
+
+ix_status ix__bisector_make(ix_ctx *ctx, const ix__walked *w,
+                            const ix__object obj[2], const ix_frame *frame,
+                            ix_bisector *out)
+{
+    maker k = {.ctx = ctx, .w = w, .obj = obj, .frame = frame};
+    size_t n = (size_t)w->nruns, total = 0;
+    ix_status st;
+
+    *out = (ix_bisector){.size = ldexp(1.0, frame->exp)};
+    if (n == 0)
+        return IX_OK;
+    for (int i = 0; i < w->nruns; i++)
+        total += (size_t)w->run[i].count;
+    out->bytes = n * sizeof *out->piece + 5 * total * sizeof(double);
+    out->piece = ix__alloc(ctx, out->bytes);
+    if (!out->piece)
+        return IX_ENOMEM;
+    memset(out->piece, 0, n * sizeof *out->piece);
+    k.data = (double *)(void *)(out->piece + n);
+    st = fill(&k, out);
+    if (st != IX_OK) {
+        ix_bisector_free(ctx, out);
+        return st;
+    }
+    out->closed = is_closed(out);
+    return IX_OK;
+}

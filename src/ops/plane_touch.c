@@ -1,0 +1,392 @@
+/* plane_touch.c - the largest circle through a point that holds nothing of a
+ * set, and the distance from a set.
+ *
+ * Both are the largest value of a quotient b / a, a >= 0, over all spans: a =
+ * |P - c w|^2 and b = 2 n.(P - c w) w, or b = w^2. A value k is the largest
+ * when g = k a - b is nowhere negative. A span is halved until g has no
+ * negative Bernstein coefficient, or is convex: then its least value gives the
+ * next k (Dinkelbach 1967, quadratic convergence). The control points are
+ * halved, not a and b: near c their rounding is that of a difference of
+ * coordinates, not that of its square. */
+#include <math.h>
+#include <string.h>
+
+#include "bern/bern.h"
+#include "ops/plane.h"
+
+/* Spans are halved no more often: 2^-44 of a span is below the rounding of a
+ * coordinate. */
+enum { MAX_HALVINGS = 44 };
+/* A step at least doubles a k that is far too small. */
+enum { MAX_STEPS = 100 };
+/* Parts that are larger than this many radii are not searched: g would carry
+ * more rounding than the depth that is looked for. */
+#define MAX_RADII 16.0
+#define ROUNDING  1e-15
+
+typedef struct {
+    const ix__span *sp;
+    int d, span;     /* degree and index of the span */
+    double c[2], n[2];
+    bool distance;   /* b = w^2 */
+    bool any;        /* one better value is enough */
+    double tol;      /* of g, relative to the weight squared */
+    double limit;    /* of g on this span */
+    double k;
+    int found; /* span of the best value, -1: none */
+    double u;
+    const double *bin, *bin2;    /* binomials of d and 2 d */
+    double *a, *b, *g, *t, *q;   /* [2 d + 1]; q is [4][d + 1] */
+    double *room;                /* [3][d + 1] for each depth */
+} search;
+
+static bool done(const search *s)
+{
+    return s->any && s->found >= 0;
+}
+
+/* --- polynomials ----------------------------------------------------------- */
+
+/* sum c_i B_i at v. */
+static double value(int n, const double *c, double v)
+{
+    double w = 1.0 - v, p = 1.0, bin = 1.0, s = c[0];
+
+    if (v > 0.5) { /* from the other end */
+        s = c[n];
+        for (int i = 1; i <= n; i++) {
+            p *= w;
+            bin = bin * (n - i + 1) / i;
+            s = s * v + bin * p * c[n - i];
+        }
+        return s;
+    }
+    for (int i = 1; i <= n; i++) {
+        p *= v;
+        bin = bin * (n - i + 1) / i;
+        s = s * w + bin * p * c[i];
+    }
+    return s;
+}
+
+/* out += factor f h, all scaled by binomials. */
+static void mul_add(int d, double factor, const double *f, const double *h,
+                    double *out)
+{
+    for (int i = 0; i <= d; i++)
+        for (int j = 0; j <= d; j++)
+            out[i + j] += factor * f[i] * h[j];
+}
+
+/* The left half into left, the right half in place. */
+static void halve(int n, double *c, double *left)
+{
+    for (int j = 0; j <= n; j++) {
+        left[j] = c[0];
+        for (int i = 0; i < n - j; i++)
+            c[i] = 0.5 * (c[i] + c[i + 1]);
+    }
+}
+
+/* --- one part of a span ---------------------------------------------------- */
+
+/* a and b of the part with control points p[3][d + 1] of w, x - c w. */
+static void load(search *s, const double *p)
+{
+    int d = s->d, n = 2 * d;
+    double *w = s->q, *x = w + d + 1, *y = x + d + 1, *h = y + d + 1;
+
+    for (int i = 0; i <= d; i++) {
+        w[i] = s->bin[i] * p[i];
+        x[i] = s->bin[i] * p[d + 1 + i];
+        y[i] = s->bin[i] * p[2 * (d + 1) + i];
+        h[i] = s->n[0] * x[i] + s->n[1] * y[i];
+    }
+    memset(s->a, 0, (size_t)(n + 1) * sizeof(double));
+    memset(s->b, 0, (size_t)(n + 1) * sizeof(double));
+    mul_add(d, 1.0, x, x, s->a);
+    mul_add(d, 1.0, y, y, s->a);
+    mul_add(d, s->distance ? 1.0 : 2.0, s->distance ? w : h, w, s->b);
+    for (int i = 0; i <= n; i++) {
+        s->a[i] /= s->bin2[i];
+        s->b[i] /= s->bin2[i];
+    }
+}
+
+/* Size of the part in radii of k. */
+static double radii(const search *s, const double *p, double value_k)
+{
+    double big = 0.0;
+
+    for (int i = s->d + 1; i < 3 * (s->d + 1); i++)
+        big = fmax(big, fabs(p[i]));
+    return (s->distance ? sqrt(value_k) : value_k) * big / s->sp->weight;
+}
+
+static double fill(search *s)
+{
+    double low = (double)INFINITY;
+
+    for (int i = 0; i <= 2 * s->d; i++) {
+        s->g[i] = s->k * s->a[i] - s->b[i];
+        low = fmin(low, s->g[i]);
+    }
+    return low;
+}
+
+/* Can nothing better be on this part? */
+static bool hopeless(search *s, double size)
+{
+    double weight = s->sp->weight;
+
+    return fill(s) >= (size > MAX_RADII ? ROUNDING * size * weight * weight
+                                        : -s->limit);
+}
+
+static void offer(search *s, double a, double b, double u)
+{
+    if (!(s->k * a - b < -s->limit))
+        return;
+    s->k = a > 0 ? b / a : (double)INFINITY;
+    s->found = s->span;
+    s->u = u;
+}
+
+static bool convex(const search *s)
+{
+    for (int i = 1; i < 2 * s->d; i++)
+        if (!(s->g[i + 1] - s->g[i] >= s->g[i] - s->g[i - 1]))
+            return false;
+    return true;
+}
+
+/* First and second derivative of g at v. */
+static void slopes(const search *s, double v, double *d1, double *d2)
+{
+    int n = 2 * s->d;
+
+    for (int i = 0; i < n; i++)
+        s->t[i] = n * (s->g[i + 1] - s->g[i]);
+    *d1 = value(n - 1, s->t, v);
+    for (int i = 0; i + 1 < n; i++)
+        s->t[i] = (n - 1) * (s->t[i + 1] - s->t[i]);
+    *d2 = value(n - 2, s->t, v);
+}
+
+/* Where the convex g is least; negative: at an end. */
+static double least(const search *s)
+{
+    const double *g = s->g;
+    int n = 2 * s->d;
+    double lo = 0.0, hi = 1.0, v, d1, d2;
+
+    if (!(g[1] < g[0]) || !(g[n] > g[n - 1]))
+        return -1.0;
+    v = (g[0] - g[1]) / (g[0] - g[1] + g[n] - g[n - 1]);
+    for (int i = 0; i < 60; i++) {
+        double next;
+
+        slopes(s, v, &d1, &d2);
+        if (d1 == 0.0)
+            return v;
+        if (d1 < 0.0)
+            lo = v;
+        else
+            hi = v;
+        next = v - d1 / d2;
+        if (!(next > lo && next < hi))
+            next = 0.5 * (lo + hi);
+        if (fabs(next - v) <= 1e-16 || next <= lo || next >= hi)
+            return next;
+        v = next;
+    }
+    return v;
+}
+
+/* The best value on a part where g is convex; false if g is not, or the part
+ * turns out to be too large. */
+static bool solve_convex(search *s, const double *p, double u0, double u1)
+{
+    int n = 2 * s->d;
+
+    for (int i = 0; i < MAX_STEPS; i++) {
+        double v, k, va, last = s->u;
+
+        if (fill(s) >= -s->limit && i == 0)
+            return true;
+        if (!convex(s))
+            return false;
+        v = least(s);
+        if (!(v > 0.0) || (i == 0 && !(value(n, s->g, v) < -s->limit)))
+            return true; /* at an end, or not deep enough to be more than
+                            rounding; later steps only sharpen the first */
+        va = value(n, s->a, v);
+        k = va > 0.0 ? value(n, s->b, v) / va : (double)INFINITY;
+        if (!(radii(s, p, k) <= MAX_RADII))
+            return false; /* a is rounding there */
+        if (i == 0 || k > s->k)
+            s->k = k;
+        s->found = s->span;
+        s->u = u0 + v * (u1 - u0);
+        if (done(s) || (i > 0 && fabs(s->u - last) <= 1e-16))
+            return true;
+    }
+    return false;
+}
+
+static void part(search *s, double *p, double u0, double u1, int depth)
+{
+    int d = s->d;
+    double *left = s->room + (size_t)depth * 3 * (size_t)(d + 1);
+    double um = 0.5 * (u0 + u1);
+
+    if (done(s) || !isfinite(s->k))
+        return;
+    load(s, p);
+    if (hopeless(s, radii(s, p, s->k)))
+        return;
+    offer(s, s->a[0], s->b[0], u0);
+    offer(s, s->a[2 * d], s->b[2 * d], u1);
+    if (done(s) || !isfinite(s->k) || d == 0 || depth == MAX_HALVINGS)
+        return;
+    if (radii(s, p, s->k) <= MAX_RADII && solve_convex(s, p, u0, u1))
+        return;
+    for (int k = 0; k < 3; k++)
+        halve(d, p + k * (d + 1), left + k * (d + 1));
+    part(s, left, u0, um, depth + 1);
+    part(s, p, um, u1, depth + 1);
+}
+
+/* --- one span --------------------------------------------------------------
+ */
+
+/* The arrays of set->work: five of 2 d + 1, one of 4 (d + 1), binomials of d
+ * and 2 d, the control points, and those of each depth. */
+static void lay_out(search *s, double *work)
+{
+    int d = s->d, n = 2 * d + 1;
+    double *at = work;
+
+    s->a = at;
+    s->b = at + n;
+    s->g = at + 2 * n;
+    s->t = at + 3 * n;
+    s->q = at + 4 * n;
+    at = s->q + 4 * (d + 1);
+    s->bin = ix__binom(d, at);
+    s->bin2 = ix__binom(2 * d, at + d + 1);
+    s->room = at + d + 1 + n;
+}
+
+static void run(search *s, const ix__set *set, int index)
+{
+    const ix__span *sp = &set->span[index];
+    int d = sp->degree;
+    double *p;
+
+    s->sp = sp;
+    s->d = d;
+    s->span = index;
+    s->limit = s->tol * sp->weight * sp->weight;
+    lay_out(s, set->work);
+    p = s->room;
+    s->room += 3 * (d + 1);
+    for (int i = 0; i <= d; i++) {
+        double w = sp->p[i] / s->bin[i];
+
+        p[i] = w;
+        for (int k = 0; k < 2; k++)
+            p[(k + 1) * (d + 1) + i] =
+                sp->p[(k + 1) * (d + 1) + i] / s->bin[i] - s->c[k] * w;
+    }
+    part(s, p, 0.0, 1.0, 0);
+}
+
+static search prepare(const double c[2], double k, double tol)
+{
+    search s = {.tol = tol, .k = k, .found = -1};
+
+    memcpy(s.c, c, sizeof s.c);
+    return s;
+}
+
+/* --- circles ---------------------------------------------------------------
+ */
+
+/* False if the box is outside the circle (k > 0) or half plane. */
+static bool in_reach(const ix__span *sp, const double c[2], const double n[2],
+                     double k)
+{
+    double d2 = 0.0, far = 0.0;
+
+    if (!sp->boxed)
+        return true;
+    for (int i = 0; i < 2; i++) {
+        double lo = sp->box[0][i] - c[i], hi = sp->box[1][i] - c[i];
+        double m = n[i] > 0.0 ? hi : lo, gap;
+
+        far += n[i] * m;
+        gap = fmax(fmax(k * lo - n[i], n[i] - k * hi), 0.0);
+        d2 += gap * gap;
+    }
+    return far > 0.0 && d2 <= 1.0 + 1e-12;
+}
+
+static bool touch(const ix__set *set, const double c[2], const double n[2],
+                  double depth, bool any, ix__touch *io)
+{
+    search s = prepare(c, io->kappa, 2.0 * depth);
+
+    memcpy(s.n, n, sizeof s.n);
+    s.any = any;
+    for (int i = 0; i < set->nspans && !done(&s); i++)
+        if (in_reach(&set->span[i], c, n, s.k))
+            run(&s, set, i);
+    if (s.found < 0)
+        return false;
+    *io = (ix__touch){s.k, s.found, s.u};
+    return true;
+}
+
+void ix__set_touch(const ix__set *s, const double c[2], const double n[2],
+                   double depth, ix__touch *io)
+{
+    (void)touch(s, c, n, depth, false, io);
+}
+
+bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
+                    double depth, ix__touch *io)
+{
+    return touch(s, c, n, depth, true, io);
+}
+
+/* --- distance --------------------------------------------------------------
+ */
+
+static bool nearer(const ix__span *sp, const double x[2], double k)
+{
+    double d2 = 0.0;
+
+    if (!sp->boxed)
+        return true;
+    for (int i = 0; i < 2; i++) {
+        double gap =
+            fmax(fmax(sp->box[0][i] - x[i], x[i] - sp->box[1][i]), 0.0);
+
+        d2 += gap * gap;
+    }
+    return k * d2 <= 1.0 + 1e-12;
+}
+
+double ix__set_distance(const ix__set *set, const double x[2], ix__touch *at)
+{
+    search s = prepare(x, 0.0, ROUNDING);
+
+    s.distance = true;
+    for (int i = 0; i < set->nspans && isfinite(s.k); i++)
+        if (nearer(&set->span[i], x, s.k))
+            run(&s, set, i);
+    if (at)
+        *at = (ix__touch){s.k, s.found, s.u};
+    return s.found < 0 ? (double)INFINITY : 1.0 / sqrt(s.k);
+}

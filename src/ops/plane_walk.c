@@ -1,0 +1,668 @@
+/* plane_walk.c - samples along the border of a set, dense where the bisector
+ * bends, and runs of them on which nothing changes. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ops/plane_walk.h"
+
+/* A radius below this counts as a point that both sets have in common. */
+#define COMMON 1e-13
+/* Intervals of a border element are halved down to this. */
+#define FINEST 0x1p-50
+/* From here on one event at most is looked for in an interval. */
+#define SMALL 0x1p-26
+/* Pieces that were found lead to others; so often at most. */
+enum { ROUNDS = 8 };
+
+/* --- one sample ------------------------------------------------------------
+ */
+
+static void own_frame(const ix__set *s, const ix__border *e, double at,
+                      ix__sample *o)
+{
+    double d[3][2], t[2], angle;
+    const ix__span *sp;
+    double u;
+
+    if (e->kind == IX__FAN) {
+        angle = e->from + at * (e->to - e->from);
+        memcpy(o->c, s->vertex[e->index].x, sizeof o->c);
+        o->n[0] = cos(angle);
+        o->n[1] = sin(angle);
+        return;
+    }
+    sp = &s->span[e->index];
+    u = e->side > 0 ? at : 1.0 - at;
+    ix__span_at(s, sp, u, d);
+    ix__span_tangent(s, sp, u, t);
+    memcpy(o->c, d[0], sizeof o->c);
+    o->n[0] = -e->side * t[1];
+    o->n[1] = e->side * t[0];
+}
+
+/* The curvature of the own border towards n: 0 if it bends away or is a
+ * vertex. */
+static double own_curvature(const ix__set *s, const ix__border *e, double at)
+{
+    double d[3][2], v2, k;
+    const ix__span *sp = &s->span[e->index];
+
+    if (e->kind == IX__FAN)
+        return 0.0;
+    ix__span_at(s, sp, e->side > 0 ? at : 1.0 - at, d);
+    v2 = d[1][0] * d[1][0] + d[1][1] * d[1][1];
+    k = e->side * (d[1][0] * d[2][1] - d[1][1] * d[2][0]) / (v2 * sqrt(v2));
+    return k > 0.0 ? k : 0.0;
+}
+
+/* The other foot: vertex or side of a span. */
+static void other_foot(const ix__set *s, ix__sample *o)
+{
+    const ix__span *sp = &s->span[o->foot.span];
+    double d[3][2], t[2], u = o->foot.u;
+
+    o->vertex = u <= 0.0 ? sp->vertex[0] : u >= 1.0 ? sp->vertex[1] : -1;
+    o->side = 0;
+    if (o->vertex >= 0) {
+        memcpy(o->x, s->vertex[o->vertex].x, sizeof o->x);
+        return;
+    }
+    ix__span_at(s, sp, u, d);
+    memcpy(o->x, d[0], sizeof o->x);
+    ix__span_tangent(s, sp, u, t);
+    o->side =
+        t[0] * (o->b[1] - o->x[1]) - t[1] * (o->b[0] - o->x[0]) > 0.0 ? 1 : -1;
+}
+
+/* Is the foot one that both sets have in common? */
+static bool in_common(const ix__walk *w, const ix__border *e,
+                      const ix__sample *o)
+{
+    if (w->own == w->other)
+        return false;
+    if (e->kind == IX__FAN && w->own->vertex[e->index].shared)
+        return true;
+    return o->vertex >= 0 && w->other->vertex[o->vertex].shared;
+}
+
+/* Derivative of the own side: unit tangent in the sense of the walk, |x'|, and
+ * the curvature towards n; of a fan the turn of n, by which b moves as from a
+ * tangent at distance r. */
+static void own_motion(const ix__set *s, const ix__border *e,
+                       const ix__sample *o, double t[2], double *move)
+{
+    double d[3][2], v, k;
+
+    if (e->kind == IX__FAN) {
+        v = e->to > e->from ? 1.0 : -1.0;
+        t[0] = -v * o->n[1];
+        t[1] = v * o->n[0];
+        *move = o->r * fabs(e->to - e->from);
+        return;
+    }
+    ix__span_at(s, &s->span[e->index], e->side > 0 ? o->at : 1.0 - o->at, d);
+    v = hypot(d[1][0], d[1][1]);
+    k = (d[2][0] * o->n[0] + d[2][1] * o->n[1]) / (v * v);
+    t[0] = e->side * d[1][0] / v;
+    t[1] = e->side * d[1][1] / v;
+    *move = v * fabs(1.0 - k * o->r);
+}
+
+/* How fast b and the other foot move: b along the line that halves the angle
+ * of both radii, its part along a tangent being (1 - kappa r) times the motion
+ * of the foot. */
+static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
+{
+    const ix__span *sp = &w->other->span[o->foot.span];
+    double t[2], move, m[2], d[3][2], v, along, k, len;
+    double n[2] = {(o->b[0] - o->x[0]) / o->r, (o->b[1] - o->x[1]) / o->r};
+
+    own_motion(w->own, e, o, t, &move);
+    m[0] = n[1] - o->n[1]; /* normal to the difference of both normals */
+    m[1] = o->n[0] - n[0];
+    len = hypot(m[0], m[1]);
+    if (len < 1.0) {
+        m[0] = o->n[0] + n[0];
+        m[1] = o->n[1] + n[1];
+        len = hypot(m[0], m[1]);
+    }
+    along = (m[0] * t[0] + m[1] * t[1]) / len;
+    o->speed = move / fabs(along);
+    o->rate = 0.0;
+    if (o->vertex >= 0)
+        return;
+    ix__span_at(w->other, sp, o->foot.u, d);
+    v = hypot(d[1][0], d[1][1]);
+    k = (d[2][0] * n[0] + d[2][1] * n[1]) / (v * v);
+    o->rate = move / along * ((m[0] * d[1][0] + m[1] * d[1][1]) / (len * v)) /
+              (v * (1.0 - k * o->r));
+}
+
+static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
+{
+    ix__touch block = {.kappa = o->foot.kappa, .span = -1};
+
+    o->r = 1.0 / o->foot.kappa;
+    if (!(o->r > COMMON) || w->other->span[o->foot.span].phantom)
+        return;
+    for (int k = 0; k < 2; k++)
+        o->b[k] = o->c[k] + o->r * o->n[k];
+    other_foot(w->other, o);
+    if (in_common(w, e, o))
+        return;
+    if (w->own != w->other &&
+        ix__set_blocks(w->own, o->c, o->n, IX__OWN_DEPTH, &block)) {
+        o->foot = block;
+        o->blocked = true;
+        return;
+    }
+    o->valid = true;
+    motion(w, e, o);
+}
+
+void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
+{
+    const ix__border *e = &w->own->border[border];
+    ix__sample o = {.border = border, .at = at, .vertex = -1};
+
+    *out = o;
+    own_frame(w->own, e, at, &o);
+    if (!isfinite(o.c[0] + o.c[1] + o.n[0] + o.n[1]))
+        return;
+    o.foot = (ix__touch){.span = -1};
+    if (w->own == w->other) {
+        o.foot.kappa = own_curvature(w->own, e, at);
+        if (!isfinite(o.foot.kappa))
+            return;
+    }
+    ix__set_touch(w->other, o.c, o.n, IX__DEPTH, &o.foot);
+    if (o.foot.span < 0 && w->own == w->other && o.foot.kappa > 0.0) {
+        o.foot.span = e->index; /* the circle of curvature */
+        o.foot.u = e->side > 0 ? at : 1.0 - at;
+    }
+    if (o.foot.span < 0)
+        o.far = true;
+    else
+        judge(w, e, &o);
+    *out = o;
+}
+
+/* --- places ---------------------------------------------------------------- */
+
+static bool fan_place(const ix__set *s, int vertex, const double d[2],
+                      ix__place *out)
+{
+    for (int i = 0; i < s->nborders; i++) {
+        const ix__border *e = &s->border[i];
+        double a;
+
+        if (e->kind != IX__FAN || e->index != vertex)
+            continue;
+        a = remainder(atan2(d[1], d[0]) - 0.5 * (e->from + e->to),
+                      2.0 * 3.14159265358979323846) +
+            0.5 * (e->from + e->to);
+        a = (a - e->from) / (e->to - e->from);
+        if (!(a >= -1e-9 && a <= 1.0 + 1e-9))
+            continue;
+        *out = (ix__place){i, fmin(fmax(a, 0.0), 1.0)};
+        return true;
+    }
+    return false;
+}
+
+bool ix__border_place(const ix__set *s, const ix__touch *foot,
+                      const double b[2], ix__place *out)
+{
+    const ix__span *sp = &s->span[foot->span];
+    double x[3][2], t[2], d[2];
+    int v = foot->u <= 0.0   ? sp->vertex[0]
+            : foot->u >= 1.0 ? sp->vertex[1]
+                             : -1;
+
+    ix__span_at(s, sp, foot->u, x);
+    d[0] = b[0] - x[0][0];
+    d[1] = b[1] - x[0][1];
+    if (v >= 0)
+        return fan_place(s, v, d, out);
+    ix__span_tangent(s, sp, foot->u, t);
+    for (int i = 0; i < s->nborders; i++) {
+        const ix__border *e = &s->border[i];
+
+        if (e->kind == IX__SIDE && e->index == foot->span &&
+            e->side * (t[0] * d[1] - t[1] * d[0]) > 0.0) {
+            *out = (ix__place){i, e->side > 0 ? foot->u : 1.0 - foot->u};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* --- refinement ------------------------------------------------------------ */
+
+typedef struct {
+    ix_ctx *ctx;
+    const ix__walk *w;
+    int n, room;
+    ix__sample *s;
+} sink;
+
+static ix_status emit(sink *k, const ix__sample *s)
+{
+    if (k->n == k->room) {
+        ix__sample *more;
+
+        IX_TRY(ix__poll(k->ctx));
+        k->room = k->room ? 2 * k->room : 256;
+        IX_SCRATCH(k->ctx, more, k->room);
+        if (k->n)
+            memcpy(more, k->s, (size_t)k->n * sizeof *more);
+        k->s = more;
+    }
+    k->s[k->n++] = *s;
+    return IX_OK;
+}
+
+/* How far the foot moves from a to b along its strand; infinite if there is no
+ * way without a corner. */
+static double way(const ix__set *s, const ix__touch *a, const ix__touch *b)
+{
+    const ix__strand *st = &s->strand[s->span[a->span].strand];
+    int step, i = a->span, n = st->count;
+    double d = (b->span - a->span) + (b->u - a->u);
+
+    if (s->span[b->span].strand != s->span[a->span].strand)
+        return INFINITY;
+    if (st->closed && fabs(d) > 0.5 * n)
+        d -= d > 0.0 ? n : -n;
+    step = d > 0.0 ? 1 : -1;
+    while (i != b->span) {
+        if (s->span[i].vertex[step > 0] >= 0)
+            return INFINITY;
+        i = st->first + (i - st->first + step + n) % n;
+    }
+    return d;
+}
+
+static bool same_feet(const ix__walk *w, const ix__sample *a,
+                      const ix__sample *b)
+{
+    return a->vertex == b->vertex && a->side == b->side &&
+           w->other->span[a->foot.span].strand ==
+               w->other->span[b->foot.span].strand;
+}
+
+static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
+                 const ix__sample *b)
+{
+    double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
+    double e[2] = {m->b[0] - a->b[0], m->b[1] - a->b[1]};
+    double len = hypot(d[0], d[1]), part = d[0] * e[0] + d[1] * e[1];
+    double size = fmax(1.0, hypot(m->b[0], m->b[1]));
+
+    if (!(len <= 0.25 * size))
+        return false;
+    if (len <= w->tol * size)
+        return hypot(e[0], e[1]) <= w->tol * size;
+    return fabs(d[0] * e[1] - d[1] * e[0]) <= w->tol * size * len &&
+           part >= 0.04 * len * len && part <= 0.96 * len * len;
+}
+
+/* Is what was covered what the speeds at both ends promise? Where a part of
+ * either border was left out it is not. */
+static bool as_promised(double covered, double h, double a, double b,
+                        double least)
+{
+    double plain = 0.5 * h * (a + b), mean = a * b > 0.0 ? h * sqrt(a * b) : 0.0;
+    double tol = 0.05 * fabs(covered) + least;
+
+    if (a < 0.0)
+        mean = -mean; /* speeds of hyperbolas, far out */
+    return fabs(covered - plain) <= tol || fabs(covered - mean) <= tol;
+}
+
+/* Nothing happens between a and b, of which m is the middle. */
+static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
+                   const ix__sample *b)
+{
+    double d, e, size;
+
+    if (!m->valid || !same_feet(w, a, b) || !same_feet(w, a, m) ||
+        !flat(w, a, m, b))
+        return false;
+    size = fmax(1.0, hypot(m->b[0], m->b[1]));
+    if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]),
+                     b->at - a->at, a->speed, b->speed, 0.1 * w->tol * size))
+        return false;
+    if (a->vertex >= 0)
+        return true;
+    d = way(w->other, &a->foot, &b->foot);
+    if (!isfinite(d)) /* a corner between */
+        return false;
+    if (!as_promised(d, b->at - a->at, a->rate, b->rate, 1e-6))
+        return false;
+    e = way(w->other, &a->foot, &m->foot);
+    if (fabs(d) <= 1e-12)
+        return true;
+    return e >= fmin(0.02 * d, 0.98 * d) && e <= fmax(0.02 * d, 0.98 * d);
+}
+
+/* Is m more like a than like b? */
+static bool like_first(const ix__walk *w, const ix__sample *a,
+                       const ix__sample *m, const ix__sample *b)
+{
+    bool is_a = a->valid == m->valid && a->far == m->far;
+    bool is_b = b->valid == m->valid && b->far == m->far;
+
+    if (!is_a || !is_b || !m->valid)
+        return is_a;
+    is_a = same_feet(w, a, m);
+    is_b = same_feet(w, m, b);
+    if (!is_a || !is_b || m->vertex >= 0)
+        return is_a;
+    return fabs(way(w->other, &a->foot, &m->foot)) <
+           fabs(way(w->other, &m->foot, &b->foot));
+}
+
+/* Encloses what happens between a and b in the smallest interval. */
+static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
+{
+    ix__sample lo = *a, hi = *b, m;
+
+    while (hi.at - lo.at > FINEST) {
+        double at = 0.5 * (lo.at + hi.at);
+
+        if (at <= lo.at || at >= hi.at)
+            break;
+        ix__walk_sample(k->w, a->border, at, &m);
+        if (like_first(k->w, &lo, &m, &hi))
+            lo = m;
+        else
+            hi = m;
+    }
+    lo.cut = lo.valid && hi.valid && same_feet(k->w, &lo, &hi) &&
+             lo.vertex < 0 &&
+             fabs(way(k->w->other, &lo.foot, &hi.foot)) > 1e-7;
+    if (lo.at > a->at)
+        IX_TRY(emit(k, &lo));
+    else
+        k->s[k->n - 1].cut = lo.cut;
+    if (hi.at < b->at)
+        IX_TRY(emit(k, &hi));
+    return emit(k, b);
+}
+
+/* Samples between a and b, b included; a is the last one emitted. */
+static ix_status refine(sink *k, const ix__sample *a, const ix__sample *b)
+{
+    double at = 0.5 * (a->at + b->at);
+    ix__sample m;
+
+    if (!a->valid && !b->valid)
+        return emit(k, b);
+    ix__walk_sample(k->w, a->border, at, &m);
+    if (a->valid && b->valid && smooth(k->w, a, &m, b)) {
+        IX_TRY(emit(k, &m));
+        return emit(k, b);
+    }
+    if (!(b->at - a->at > SMALL))
+        return locate(k, a, b);
+    IX_TRY(refine(k, a, &m));
+    return refine(k, &m, b);
+}
+
+static ix_status walk_border(sink *k, int border, int nseeds,
+                             const ix__place *seeds)
+{
+    int grid = k->w->grid, next = 0;
+    ix__sample a, b;
+
+    ix__walk_sample(k->w, border, 0.0, &a);
+    IX_TRY(emit(k, &a));
+    for (int i = 1; i <= grid; i++) {
+        double end = (double)i / grid;
+
+        while (next < nseeds && seeds[next].at < end) {
+            if (seeds[next].at > a.at) {
+                ix__walk_sample(k->w, border, seeds[next].at, &b);
+                IX_TRY(refine(k, &a, &b));
+                a = b;
+            }
+            next++;
+        }
+        ix__walk_sample(k->w, border, end, &b);
+        IX_TRY(refine(k, &a, &b));
+        a = b;
+    }
+    return IX_OK;
+}
+
+ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
+                        const ix__place *seeds, int *n, ix__sample **out)
+{
+    const ix__loop *l = &w->own->loop[loop];
+    sink k = {.ctx = ctx, .w = w};
+
+    for (int i = l->first; i < l->first + l->count; i++) {
+        int first = 0, end;
+
+        IX_TRY(ix__poll(ctx));
+        while (first < nseeds && seeds[first].border < i)
+            first++;
+        for (end = first; end < nseeds && seeds[end].border == i; end++)
+            ;
+        IX_TRY(walk_border(&k, i, end - first, seeds + first));
+    }
+    *n = k.n;
+    *out = k.s;
+    return IX_OK;
+}
+
+/* --- seeds ----------------------------------------------------------------- */
+
+typedef struct {
+    ix_ctx *ctx;
+    int n, room;
+    ix__place *p;
+} places;
+
+static ix_status add_place(places *l, ix__place p)
+{
+    if (l->n == l->room) {
+        ix__place *more;
+
+        l->room = l->room ? 2 * l->room : 64;
+        IX_SCRATCH(l->ctx, more, l->room);
+        if (l->n)
+            memcpy(more, l->p, (size_t)l->n * sizeof *more);
+        l->p = more;
+    }
+    l->p[l->n++] = p;
+    return IX_OK;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const ix__place *p = a, *q = b;
+
+    if (p->border != q->border)
+        return p->border < q->border ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+/* Places of the own border that are seen from the other one. */
+static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
+{
+    ix__walk back = {w->other, w->own, w->tol, w->grid};
+    ix__sample s;
+    ix__place p;
+
+    for (int i = 0; i < w->other->nborders; i++)
+        for (int j = 0; j <= w->grid; j++) {
+            IX_TRY(ix__poll(ctx));
+            ix__walk_sample(&back, i, (double)j / w->grid, &s);
+            if (s.valid && ix__border_place(w->own, &s.foot, s.b, &p))
+                IX_TRY(add_place(l, p));
+        }
+    return IX_OK;
+}
+
+/* Where the own set blocks, the bisector goes on from what blocks it: a place
+ * on either side of it. */
+static ix_status seeds_from_blocks(const ix__walk *w, int n,
+                                   const ix__sample *s, places *l)
+{
+    for (int i = 0; i < n; i++) {
+        const ix__sample *a = &s[i], *b = &s[(i + 1) % n], *bad, *good;
+        ix__place p;
+
+        if (a->valid == b->valid)
+            continue;
+        good = a->valid ? a : b;
+        bad = a->valid ? b : a;
+        if (!bad->blocked ||
+            !ix__border_place(w->own, &bad->foot, good->b, &p))
+            continue;
+        for (int k = -1; k <= 1; k++) {
+            ix__place q = {p.border, p.at + k * 1e-7};
+
+            if (q.at > 0.0 && q.at < 1.0)
+                IX_TRY(add_place(l, q));
+        }
+    }
+    return IX_OK;
+}
+
+/* --- runs ------------------------------------------------------------------ */
+
+static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
+{
+    const ix__border *ea = &w->own->border[a->border];
+    const ix__border *eb = &w->own->border[b->border];
+
+    if (!a->valid || !b->valid || a->cut || !same_feet(w, a, b))
+        return false;
+    if (ea->kind != eb->kind)
+        return false;
+    return ea->kind == IX__SIDE || ea->index == eb->index;
+}
+
+static bool meets(const ix__sample *a, const ix__sample *b)
+{
+    return hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <=
+           1e-7 * fmax(1.0, hypot(a->b[0], a->b[1]));
+}
+
+/* Length along the samples: runs between two neighbours in double are none. */
+static bool has_length(const ix__walked *o, const ix__run *r)
+{
+    double len = 0.0;
+
+    for (int i = 1; i < r->count && len <= 1e-11; i++) {
+        const ix__sample *a = ix__run_at(o, r, i - 1), *b = ix__run_at(o, r, i);
+
+        len += hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
+    }
+    return len > 1e-11;
+}
+
+static void add_run(ix__walked *o, ix__run r)
+{
+    ix__run *before = o->nruns ? &o->run[o->nruns - 1] : NULL;
+
+    if (!has_length(o, &r))
+        return;
+    if (before && before->loop == r.loop)
+        r.joined = !before->far[1] && !r.far[0] &&
+                   meets(ix__run_at(o, before, before->count - 1),
+                         ix__run_at(o, &r, 0));
+    o->run[o->nruns++] = r;
+}
+
+/* Where to begin: behind a place at infinity, else behind any break. */
+static int beginning(const ix__walk *w, int n, const ix__sample *s)
+{
+    int at = 0;
+
+    for (int i = 0; i < n; i++)
+        if (s[i].far && s[(i + 1) % n].valid)
+            return (i + 1) % n;
+    for (int i = 0; i < n; i++)
+        if (!s[i].valid && s[(i + 1) % n].valid)
+            return (i + 1) % n;
+    for (int i = 0; i < n; i++)
+        if (!joins(w, &s[i], &s[(i + 1) % n]))
+            at = (i + 1) % n;
+    return at;
+}
+
+static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
+{
+    int n = o->counts[loop], i = 0, begin;
+    const ix__sample *s = o->samples[loop];
+
+    if (n == 0)
+        return;
+    begin = beginning(w, n, s);
+    while (i < n) {
+        ix__run r = {.first = (begin + i) % n, .count = 1, .loop = loop};
+
+        if (!s[r.first].valid) {
+            i++;
+            continue;
+        }
+        while (i + r.count < n &&
+               joins(w, &s[(begin + i + r.count - 1) % n],
+                     &s[(begin + i + r.count) % n]))
+            r.count++;
+        r.far[0] = s[(r.first + n - 1) % n].far;
+        r.far[1] = s[(r.first + r.count) % n].far;
+        add_run(o, r);
+        i += r.count;
+    }
+}
+
+static ix_status walk_loops(ix_ctx *ctx, const ix__walk *w, places *seeds,
+                            ix__walked *out)
+{
+    size_t total = 0;
+
+    if (seeds->n)
+        qsort(seeds->p, (size_t)seeds->n, sizeof *seeds->p, by_place);
+    for (int i = 0; i < out->nloops; i++) {
+        IX_TRY(ix__walk_loop(ctx, w, i, seeds->n, seeds->p, &out->counts[i],
+                             &out->samples[i]));
+        total += (size_t)out->counts[i];
+    }
+    IX_SCRATCH(ctx, out->run, total + 1);
+    out->nruns = 0;
+    for (int i = 0; i < out->nloops; i++)
+        runs_of_loop(w, i, out);
+    return IX_OK;
+}
+
+ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
+                       const ix__place *first, ix__walked *out)
+{
+    places seeds = {.ctx = ctx};
+
+    *out = (ix__walked){.nloops = w->own->nloops};
+    IX_SCRATCH(ctx, out->samples, out->nloops);
+    IX_SCRATCH(ctx, out->counts, out->nloops);
+    for (int i = 0; i < nseeds; i++)
+        IX_TRY(add_place(&seeds, first[i]));
+    if (w->own != w->other)
+        IX_TRY(seeds_from_other(ctx, w, &seeds));
+    IX_TRY(walk_loops(ctx, w, &seeds, out));
+    for (int i = 0; w->own != w->other && i < ROUNDS; i++) {
+        int runs = out->nruns;
+
+        for (int j = 0; j < out->nloops; j++)
+            IX_TRY(seeds_from_blocks(w, out->counts[j], out->samples[j],
+                                     &seeds));
+        IX_TRY(walk_loops(ctx, w, &seeds, out));
+        if (out->nruns == runs)
+            break;
+    }
+    return IX_OK;
+}

@@ -1,0 +1,76 @@
+/* plane_walk.h - the bisector of two sets as a function on the border of the
+ * first. */
+#ifndef OPS_PLANE_WALK_H
+#define OPS_PLANE_WALK_H
+
+#include "ops/plane.h"
+
+/* One place of the border and the circle that touches there. */
+typedef struct {
+    int border;
+    double at;
+    bool valid; /* the centre is on the bisector */
+    bool far;   /* not valid: the circle is a line, the centre at infinity */
+    bool cut;   /* valid, but the foot jumps between here and the next one */
+    bool blocked; /* not valid: the own set is in the circle, at foot */
+    double c[2], n[2]; /* own foot, unit vector towards the centre */
+    double x[2];       /* other foot */
+    double b[2], r;    /* centre and radius */
+    ix__touch foot;    /* on the other set; if blocked, on the own one */
+    int vertex, side;  /* of the other foot: vertex or -1, side of its span */
+    double speed, rate; /* of the centre and of the other foot, by at */
+} ix__sample;
+
+typedef struct {
+    const ix__set *own, *other; /* may be one set: its medial axis */
+    double tol; /* of the polyline of centres, relative to their distance */
+    int grid;   /* samples of each element of the border at least */
+} ix__walk;
+
+/* A place to look at: where another touches, or a foot found from elsewhere. */
+typedef struct {
+    int border;
+    double at;
+} ix__place;
+
+/* The sample there. */
+void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out);
+/* The place of the own border from which the circle around b through the foot
+ * is seen; false if it belongs to no element. */
+bool ix__border_place(const ix__set *s, const ix__touch *foot,
+                      const double b[2], ix__place *out);
+
+/* Samples along loop, close enough for w->tol where they are valid, each place
+ * where something changes enclosed by two samples that are neighbours in
+ * double. seeds (n of them, by increasing place) are sampled too. Scratch. */
+ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
+                        const ix__place *seeds, int *n,
+                        ix__sample **out) IX_MUST_CHECK;
+
+/* Samples first .. first + count - 1 (modulo n) with feet on the same elements.
+ */
+typedef struct {
+    int first, count;
+    bool far[2];   /* before and behind it the centre is at infinity */
+    bool joined;   /* begins where the run before it in the list ends */
+    int loop;
+} ix__run;
+
+/* All runs of all loops: those of a loop in order, beginning behind a place at
+ * infinity if there is one. samples[loop] and counts[loop] in scratch. */
+typedef struct {
+    int nruns, nloops;
+    ix__run *run;
+    ix__sample **samples;
+    int *counts;
+} ix__walked;
+/* first: nseeds places that are looked at in any case. */
+ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
+                       const ix__place *first, ix__walked *out) IX_MUST_CHECK;
+static inline const ix__sample *ix__run_at(const ix__walked *w,
+                                           const ix__run *r, int i)
+{
+    return &w->samples[r->loop][(r->first + i) % w->counts[r->loop]];
+}
+
+#endif
