@@ -18,7 +18,8 @@
 extern "C" {
 #endif
 
-/* --- bisectors ------------------------------------------------------------- */
+/* --- bisectors -------------------------------------------------------------
+ */
 
 /* What the feet of a piece are: ends and corners of curves, or the point, are
  * points; anything else is a curve. */
@@ -32,18 +33,23 @@ typedef enum {
 typedef struct {
     ix_bisector_kind kind;
     int n;
-    const double *x;     /* vertices on the bisector */
-    const double *foot;  /* parameters of the feet on both objects */
-    const double *r;     /* [n] distances from both */
-    int curve[2];        /* the curve of each object on which the feet are */
-    bool point[2];       /* the foot stays */
-    bool unbounded[2];   /* the piece goes on to infinity at its start or end;
-                            vertices reach to about 20 times the objects' size */
-    double dir[2][2];    /* then: the unit direction in which it goes */
-    bool joined;         /* begins where the piece before it ends */
-    ix_mv *exact;        /* point-point, point-curve: P2, in the sense of the
-                            vertices; an unbounded end has weight 0. NULL for
-                            curve-curve */
+    const double *x;    /* vertices on the bisector */
+    const double *foot; /* parameters of the feet on both objects */
+    const double *r;    /* [n] distances from both */
+    int curve[2];       /* the curve of each object on which the feet are */
+    bool point[2];      /* the foot stays */
+    int side;           /* of the first object's curve on which the piece is:
+                           1 left, -1 right; 0: its foot stays */
+    bool unbounded[2];  /* the piece goes on to infinity at its start or end;
+                           vertices reach to about 20 times the objects' size */
+    double dir[2][2];   /* then: the unit direction in which it goes */
+    bool joined;        /* begins where the piece before it ends */
+    int component;      /* from 0: joined pieces with their feet on the same
+                           points and open curves are one component, which has
+                           a corner where a foot jumps */
+    ix_mv *exact;       /* point-point, point-curve: P2, in the sense of the
+                           vertices; an unbounded end has weight 0. NULL for
+                           curve-curve */
 } ix_bisector_piece;
 
 typedef struct {
@@ -131,6 +137,31 @@ void ix_pt_crv_specials_free(ix_ctx *ctx, ix_pt_crv_special *s, int n);
 ix_status ix_bisect_crv_crv(ix_ctx *ctx, int n1, const ix_mv *const *c1, int n2,
                             const ix_mv *const *c2, double tol,
                             ix_bisector *out) IX_MUST_CHECK;
+
+/* The exact point of a curve-curve piece near feet that lie between those of
+ * two vertices: the centre of the circle that touches c1 at foot[0] and c2
+ * near foot[1].
+ *
+ * In    side     1: to the left of c1, -1: to its right
+ * Out   foot[1]  the parameter on c2
+ *       b[2], *r centre and radius
+ * Err   IX_EARG    not curves with at least two coordinates
+ *       IX_EDOMAIN a parameter outside its domain, a pole, a cusp
+ *       IX_EUNABLE no circle is near */
+ix_status ix_bisector_touch(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                            int side, double foot[2], double b[2],
+                            double *r) IX_MUST_CHECK;
+
+/* An end point of a segment, by its feet on the other segment in the
+ * curve-curve pieces that begin or end there (Adamou et al., definition 2). */
+typedef enum {
+    IX_END_FREE = 0,     /* FP: none */
+    IX_END_ONE_FOOT = 1, /* NFP1 */
+    IX_END_TWO_FEET = 2  /* NFP2 */
+} ix_end_class;
+/* Of the ends of c1, then of c2: start, end; closed curves have free ones. */
+void ix_bisector_ends(const ix_bisector *b, const ix_mv *c1, const ix_mv *c2,
+                      ix_end_class out[4]);
 
 #ifdef __cplusplus
 }

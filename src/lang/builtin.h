@@ -68,6 +68,7 @@ extern const ix_builtin ix__builtins_trivar[]; /* and triangular patches */
 extern const ix_builtin ix__builtins_mv[];
 extern const ix_builtin ix__builtins_sym[];
 extern const ix_builtin ix__builtins_ops[];
+extern const ix_builtin ix__builtins_bisect2d[];
 extern const ix_builtin ix__builtins_bisect3d[];
 extern const ix_builtin ix__builtins_prim[];
 extern const ix_builtin ix__builtins_ops_crv[];

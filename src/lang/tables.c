@@ -50,6 +50,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_mv,
     ix__builtins_sym,
     ix__builtins_ops,
+    ix__builtins_bisect2d,
     ix__builtins_bisect3d,
     ix__builtins_prim,
     ix__builtins_ops_crv,

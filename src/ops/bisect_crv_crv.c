@@ -1,10 +1,10 @@
 /* bisect_crv_crv.c - the true bisector of two objects made of curves. */
 #include <string.h>
 
+#include "geom/parts.h"
 #include "iritx/distance.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
-#include "geom/parts.h"
 #include "ops/plane_bisector.h"
 
 /* Samples of each side of a span, before any refinement. */
@@ -155,8 +155,9 @@ ix_status ix_bisect_crv_crv(ix_ctx *ctx, int n1, const ix_mv *const *c1, int n2,
 
     *out = (ix_bisector){0};
     if (n1 < 1 || n2 < 1)
-        return IX_FAIL(ctx, IX_EARG, "%d and %d curves: each object has one at "
-                                     "least",
+        return IX_FAIL(ctx, IX_EARG,
+                       "%d and %d curves: each object has one at "
+                       "least",
                        n1, n2);
     IX_RETURN_SCOPED(ctx, scoped(ctx, n, c, tol, out));
 }

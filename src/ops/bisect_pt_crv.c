@@ -16,7 +16,7 @@ enum { GRID = 64 };
 typedef struct {
     ix_ctx *ctx;
     const ix_mv *crv;
-    double q[2]; /* the user's */
+    double q[2];  /* the user's */
     double at[2]; /* in the frame */
     ix_frame frame;
     ix__set curve, point;
@@ -36,7 +36,7 @@ typedef struct {
 
 typedef struct {
     const problem *p;
-    double t;    /* the parameter of q */
+    double t;     /* the parameter of q */
     double *data; /* room for ten numbers of each normal */
     ix_bisector *out;
 } normals;
@@ -138,9 +138,7 @@ static ix_status on_curve(const problem *p, const ix__touch *at,
 {
     enum { MOST = 2 };
     const ix__span *sp = &p->curve.span[at->span];
-    int v = at->u <= 0.0   ? sp->vertex[0]
-            : at->u >= 1.0 ? sp->vertex[1]
-                           : -1;
+    int v = at->u <= 0.0 ? sp->vertex[0] : at->u >= 1.0 ? sp->vertex[1] : -1;
     normals k = {.p = p, .t = ix__span_parameter(sp, at->u), .out = out};
     ix_status st;
 
@@ -157,7 +155,8 @@ static ix_status on_curve(const problem *p, const ix__touch *at,
     return st;
 }
 
-/* --- entry ----------------------------------------------------------------- */
+/* --- entry -----------------------------------------------------------------
+ */
 
 static ix_status solve(problem *p, bool whole, ix_bisector *out)
 {

@@ -31,13 +31,13 @@
 
 typedef struct {
     int degree;
-    const double *p;     /* [3][degree + 1] of w, wx, wy, scaled Bernstein */
-    double weight;       /* largest Bernstein coefficient of w */
-    double box[2][2];    /* of the control points, lo and hi */
-    bool boxed;          /* weights of one sign: the box holds the span */
-    bool phantom;        /* of the carrier, not of the curve */
-    double t[2];         /* the user's parameters of both ends */
-    double x[2][2];      /* end points */
+    const double *p;      /* [3][degree + 1] of w, wx, wy, scaled Bernstein */
+    double weight;        /* largest Bernstein coefficient of w */
+    double box[2][2];     /* of the control points, lo and hi */
+    bool boxed;           /* weights of one sign: the box holds the span */
+    bool phantom;         /* of the carrier, not of the curve */
+    double t[2];          /* the user's parameters of both ends */
+    double x[2][2];       /* end points */
     double tangent[2][2]; /* unit tangents there, towards growing t */
     int curve, strand;
     int vertex[2]; /* at both ends; -1: a smooth joint */
@@ -60,8 +60,8 @@ typedef enum { IX__SIDE, IX__FAN } ix__border_kind;
 /* An element of the border; its parameter runs over [0, 1]. */
 typedef struct {
     ix__border_kind kind;
-    int index;      /* span or vertex */
-    int side;       /* of a span: 1 left, t grows; -1 right, t falls */
+    int index;       /* span or vertex */
+    int side;        /* of a span: 1 left, t grows; -1 right, t falls */
     double from, to; /* of a fan: angles of the normal */
 } ix__border;
 

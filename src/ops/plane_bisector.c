@@ -23,8 +23,9 @@ void ix_bisector_free(ix_ctx *ctx, ix_bisector *b)
 ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out)
 {
     if (!(tol >= 0.0 && isfinite(tol)))
-        return IX_FAIL(ctx, IX_EARG, "a tolerance of %g: positive, or 0 for "
-                                     "1e-4",
+        return IX_FAIL(ctx, IX_EARG,
+                       "a tolerance of %g: positive, or 0 for "
+                       "1e-4",
                        tol);
     *out = tol > 0.0 ? tol : 1e-4;
     return IX_OK;
@@ -54,7 +55,8 @@ ix_status ix__plane_curves(ix_ctx *ctx, int n, const ix_mv *const *crv,
     return IX_OK;
 }
 
-/* --- vertices -------------------------------------------------------------- */
+/* --- vertices --------------------------------------------------------------
+ */
 
 typedef struct {
     ix_ctx *ctx;
@@ -98,11 +100,23 @@ static double own_parameter(const ix__set *s, const ix__sample *a)
                               e->side > 0 ? a->at : 1.0 - a->at);
 }
 
+/* A circle that touches at a vertex is as good, within the depth that cannot be
+ * told from nothing, as one that touches this far beside it: there the foot
+ * changes from the curve to the vertex. */
+#define AT_VERTEX 1e-6
+
 static double other_parameter(const ix__set *s, const ix__sample *a)
 {
-    return a->vertex >= 0 ? s->vertex[a->vertex].t
-                          : ix__span_parameter(&s->span[a->foot.span],
-                                               a->foot.u);
+    const ix__span *sp = &s->span[a->foot.span];
+    double u = a->foot.u;
+
+    if (a->vertex >= 0)
+        return s->vertex[a->vertex].t;
+    if (u < AT_VERTEX && sp->vertex[0] >= 0)
+        u = 0.0;
+    if (u > 1.0 - AT_VERTEX && sp->vertex[1] >= 0)
+        u = 1.0;
+    return ix__span_parameter(sp, u);
 }
 
 static void to_user(const ix_frame *f, const double in[2], double out[2])
@@ -269,6 +283,7 @@ static void describe(const maker *k, const ix__run *r, ix_bisector_piece *p)
     p->curve[0] = v1 ? k->obj[0].set->vertex[e->index].curve
                      : k->obj[0].set->span[e->index].curve;
     p->curve[1] = k->obj[1].set->span[a->foot.span].curve;
+    p->side = v1 ? 0 : e->side;
     p->joined = r->joined;
     for (int i = 0; i < 2; i++) {
         const ix__sample *s = ix__run_at(k->w, r, i ? r->count - 1 : 0);
@@ -280,6 +295,27 @@ static void describe(const maker *k, const ix__run *r, ix_bisector_piece *p)
     }
 }
 
+/* Feet on the same points and curves? */
+static bool same_objects(const ix_bisector_piece *a, const ix_bisector_piece *b)
+{
+    if (a->kind != b->kind)
+        return false;
+    for (int i = 0; i < 2; i++)
+        if (a->curve[i] != b->curve[i] || a->point[i] != b->point[i] ||
+            (a->point[i] && a->foot[i] != b->foot[i]))
+            return false;
+    return true;
+}
+
+static void count_component(ix_bisector *b)
+{
+    ix_bisector_piece *p = &b->piece[b->n - 1];
+
+    p->component = b->n == 1 ? 0 : p[-1].component;
+    if (b->n > 1 && !(p->joined && same_objects(p - 1, p)))
+        p->component++;
+}
+
 static ix_status fill(maker *k, ix_bisector *out)
 {
     for (int i = 0; i < k->w->nruns; i++) {
@@ -289,6 +325,7 @@ static ix_status fill(maker *k, ix_bisector *out)
         out->n = i + 1;
         describe(k, r, p);
         vertices(k, r, p);
+        count_component(out);
         if (p->kind == IX_POINT_POINT)
             IX_TRY(exact_straight(k, p));
         else if (p->kind == IX_POINT_CURVE)

@@ -30,7 +30,8 @@ static bool same_point(const double *a, const double *b)
     return hypot(a[0] - b[0], a[1] - b[1]) <= SAME;
 }
 
-/* --- spans ----------------------------------------------------------------- */
+/* --- spans -----------------------------------------------------------------
+ */
 
 /* Value and derivatives by u of sum c_k u^k v^(d-k), c scaled. */
 static void form_at(int d, const double *c, double u, double out[3])
@@ -182,7 +183,8 @@ static void finish_span(ix__span *sp)
     }
 }
 
-/* --- loading --------------------------------------------------------------- */
+/* --- loading ---------------------------------------------------------------
+ */
 
 ix_status ix__plane_frame(ix_ctx *ctx, int n, const ix_mv *const *crv, int npts,
                           const double (*x)[2], ix_frame *out)
@@ -205,8 +207,9 @@ ix_status ix__plane_frame(ix_ctx *ctx, int n, const ix_mv *const *crv, int npts,
     *out = (ix_frame){.ncoords = 2};
     size = 0.5 * fmax(hi[0] - lo[0], hi[1] - lo[1]);
     if (!isfinite(size))
-        return IX_FAIL(ctx, IX_EARG, "coordinates that are not finite, or too "
-                                     "large");
+        return IX_FAIL(ctx, IX_EARG,
+                       "coordinates that are not finite, or too "
+                       "large");
     if (size > 0.0)
         (void)frexp(size, &out->exp);
     for (int k = 0; k < 2; k++)
@@ -414,7 +417,8 @@ static ix_status cut_cusps(builder *b)
     return IX_OK;
 }
 
-/* --- joints ---------------------------------------------------------------- */
+/* --- joints ----------------------------------------------------------------
+ */
 
 static int new_vertex(ix__set *s, const ix__span *sp, int e)
 {
@@ -486,12 +490,13 @@ static void make_strands(ix__set *s)
         }
 }
 
-/* --- border ---------------------------------------------------------------- */
+/* --- border ----------------------------------------------------------------
+ */
 
 static void add_side(ix__set *s, int span, int side)
 {
-    s->border[s->nborders++] =
-        (ix__border){.kind = IX__SIDE, .index = span, .side = side};
+    s->border[s->nborders++] = (ix__border){
+        .kind = IX__SIDE, .index = span, .side = side};
 }
 
 /* The normal turns clockwise by turn, from the left of tangent. */
@@ -500,10 +505,8 @@ static void add_fan(ix__set *s, int vertex, const double tangent[2],
 {
     double from = atan2(tangent[0], -tangent[1]);
 
-    s->border[s->nborders++] = (ix__border){.kind = IX__FAN,
-                                            .index = vertex,
-                                            .from = from,
-                                            .to = from - turn};
+    s->border[s->nborders++] = (ix__border){
+        .kind = IX__FAN, .index = vertex, .from = from, .to = from - turn};
 }
 
 /* Does the curve, which reverses at the joint of a and b, come back on the
@@ -596,7 +599,8 @@ static void make_loop(ix__set *s, int strand, int side)
     l->count = s->nborders - l->first;
 }
 
-/* --- entry ----------------------------------------------------------------- */
+/* --- entry -----------------------------------------------------------------
+ */
 
 static ix_status allocate(builder *b, int room)
 {

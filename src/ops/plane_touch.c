@@ -26,18 +26,18 @@ enum { MAX_STEPS = 100 };
 
 typedef struct {
     const ix__span *sp;
-    int d, span;     /* degree and index of the span */
+    int d, span; /* degree and index of the span */
     double c[2], n[2];
-    bool distance;   /* b = w^2 */
-    bool any;        /* one better value is enough */
-    double tol;      /* of g, relative to the weight squared */
-    double limit;    /* of g on this span */
+    bool distance; /* b = w^2 */
+    bool any;      /* one better value is enough */
+    double tol;    /* of g, relative to the weight squared */
+    double limit;  /* of g on this span */
     double k;
     int found; /* span of the best value, -1: none */
     double u;
-    const double *bin, *bin2;    /* binomials of d and 2 d */
-    double *a, *b, *g, *t, *q;   /* [2 d + 1]; q is [4][d + 1] */
-    double *room;                /* [3][d + 1] for each depth */
+    const double *bin, *bin2;  /* binomials of d and 2 d */
+    double *a, *b, *g, *t, *q; /* [2 d + 1]; q is [4][d + 1] */
+    double *room;              /* [3][d + 1] for each depth */
 } search;
 
 static bool done(const search *s)
@@ -45,7 +45,8 @@ static bool done(const search *s)
     return s->any && s->found >= 0;
 }
 
-/* --- polynomials ----------------------------------------------------------- */
+/* --- polynomials -----------------------------------------------------------
+ */
 
 /* sum c_i B_i at v. */
 static double value(int n, const double *c, double v)
@@ -88,7 +89,8 @@ static void halve(int n, double *c, double *left)
     }
 }
 
-/* --- one part of a span ---------------------------------------------------- */
+/* --- one part of a span ----------------------------------------------------
+ */
 
 /* a and b of the part with control points p[3][d + 1] of w, x - c w. */
 static void load(search *s, const double *p)
@@ -139,8 +141,8 @@ static bool hopeless(search *s, double size)
 {
     double weight = s->sp->weight;
 
-    return fill(s) >= (size > MAX_RADII ? ROUNDING * size * weight * weight
-                                        : -s->limit);
+    return fill(s) >=
+           (size > MAX_RADII ? ROUNDING * size * weight * weight : -s->limit);
 }
 
 static void offer(search *s, double a, double b, double u)
@@ -296,8 +298,9 @@ static void run(search *s, const ix__set *set, int index)
 
         p[i] = w;
         for (int k = 0; k < 2; k++)
-            p[(k + 1) * (d + 1) + i] =
-                sp->p[(k + 1) * (d + 1) + i] / s->bin[i] - s->c[k] * w;
+            p[(k + 1) * (d + 1) + i] = sp->p[(k + 1) * (d + 1) + i] /
+                                           s->bin[i] -
+                                       s->c[k] * w;
     }
     part(s, p, 0.0, 1.0, 0);
 }
@@ -370,8 +373,8 @@ static bool nearer(const ix__span *sp, const double x[2], double k)
     if (!sp->boxed)
         return true;
     for (int i = 0; i < 2; i++) {
-        double gap =
-            fmax(fmax(sp->box[0][i] - x[i], x[i] - sp->box[1][i]), 0.0);
+        double gap = fmax(fmax(sp->box[0][i] - x[i], x[i] - sp->box[1][i]),
+                          0.0);
 
         d2 += gap * gap;
     }

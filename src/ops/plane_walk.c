@@ -71,8 +71,9 @@ static void other_foot(const ix__set *s, ix__sample *o)
     ix__span_at(s, sp, u, d);
     memcpy(o->x, d[0], sizeof o->x);
     ix__span_tangent(s, sp, u, t);
-    o->side =
-        t[0] * (o->b[1] - o->x[1]) - t[1] * (o->b[0] - o->x[0]) > 0.0 ? 1 : -1;
+    o->side = t[0] * (o->b[1] - o->x[1]) - t[1] * (o->b[0] - o->x[0]) > 0.0
+                  ? 1
+                  : -1;
 }
 
 /* Is the foot one that both sets have in common? */
@@ -188,7 +189,8 @@ void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
     *out = o;
 }
 
-/* --- places ---------------------------------------------------------------- */
+/* --- places ----------------------------------------------------------------
+ */
 
 static bool fan_place(const ix__set *s, int vertex, const double d[2],
                       ix__place *out)
@@ -238,7 +240,8 @@ bool ix__border_place(const ix__set *s, const ix__touch *foot,
     return false;
 }
 
-/* --- refinement ------------------------------------------------------------ */
+/* --- refinement ------------------------------------------------------------
+ */
 
 typedef struct {
     ix_ctx *ctx;
@@ -313,7 +316,8 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
 static bool as_promised(double covered, double h, double a, double b,
                         double least)
 {
-    double plain = 0.5 * h * (a + b), mean = a * b > 0.0 ? h * sqrt(a * b) : 0.0;
+    double plain = 0.5 * h * (a + b),
+           mean = a * b > 0.0 ? h * sqrt(a * b) : 0.0;
     double tol = 0.05 * fabs(covered) + least;
 
     if (a < 0.0)
@@ -331,8 +335,8 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
         !flat(w, a, m, b))
         return false;
     size = fmax(1.0, hypot(m->b[0], m->b[1]));
-    if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]),
-                     b->at - a->at, a->speed, b->speed, 0.1 * w->tol * size))
+    if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]), b->at - a->at,
+                     a->speed, b->speed, 0.1 * w->tol * size))
         return false;
     if (a->vertex >= 0)
         return true;
@@ -381,8 +385,7 @@ static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
             hi = m;
     }
     lo.cut = lo.valid && hi.valid && same_feet(k->w, &lo, &hi) &&
-             lo.vertex < 0 &&
-             fabs(way(k->w->other, &lo.foot, &hi.foot)) > 1e-7;
+             lo.vertex < 0 && fabs(way(k->w->other, &lo.foot, &hi.foot)) > 1e-7;
     if (lo.at > a->at)
         IX_TRY(emit(k, &lo));
     else
@@ -458,7 +461,8 @@ ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
     return IX_OK;
 }
 
-/* --- seeds ----------------------------------------------------------------- */
+/* --- seeds -----------------------------------------------------------------
+ */
 
 typedef struct {
     ix_ctx *ctx;
@@ -520,8 +524,7 @@ static ix_status seeds_from_blocks(const ix__walk *w, int n,
             continue;
         good = a->valid ? a : b;
         bad = a->valid ? b : a;
-        if (!bad->blocked ||
-            !ix__border_place(w->own, &bad->foot, good->b, &p))
+        if (!bad->blocked || !ix__border_place(w->own, &bad->foot, good->b, &p))
             continue;
         for (int k = -1; k <= 1; k++) {
             ix__place q = {p.border, p.at + k * 1e-7};
@@ -533,7 +536,8 @@ static ix_status seeds_from_blocks(const ix__walk *w, int n,
     return IX_OK;
 }
 
-/* --- runs ------------------------------------------------------------------ */
+/* --- runs ------------------------------------------------------------------
+ */
 
 static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
 {
@@ -611,9 +615,8 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
             i++;
             continue;
         }
-        while (i + r.count < n &&
-               joins(w, &s[(begin + i + r.count - 1) % n],
-                     &s[(begin + i + r.count) % n]))
+        while (i + r.count < n && joins(w, &s[(begin + i + r.count - 1) % n],
+                                        &s[(begin + i + r.count) % n]))
             r.count++;
         r.far[0] = s[(r.first + n - 1) % n].far;
         r.far[1] = s[(r.first + r.count) % n].far;
@@ -658,8 +661,8 @@ ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
         int runs = out->nruns;
 
         for (int j = 0; j < out->nloops; j++)
-            IX_TRY(seeds_from_blocks(w, out->counts[j], out->samples[j],
-                                     &seeds));
+            IX_TRY(
+                seeds_from_blocks(w, out->counts[j], out->samples[j], &seeds));
         IX_TRY(walk_loops(ctx, w, &seeds, out));
         if (out->nruns == runs)
             break;

@@ -9,15 +9,15 @@
 typedef struct {
     int border;
     double at;
-    bool valid; /* the centre is on the bisector */
-    bool far;   /* not valid: the circle is a line, the centre at infinity */
-    bool cut;   /* valid, but the foot jumps between here and the next one */
+    bool valid;   /* the centre is on the bisector */
+    bool far;     /* not valid: the circle is a line, the centre at infinity */
+    bool cut;     /* valid, but the foot jumps between here and the next one */
     bool blocked; /* not valid: the own set is in the circle, at foot */
-    double c[2], n[2]; /* own foot, unit vector towards the centre */
-    double x[2];       /* other foot */
-    double b[2], r;    /* centre and radius */
-    ix__touch foot;    /* on the other set; if blocked, on the own one */
-    int vertex, side;  /* of the other foot: vertex or -1, side of its span */
+    double c[2], n[2];  /* own foot, unit vector towards the centre */
+    double x[2];        /* other foot */
+    double b[2], r;     /* centre and radius */
+    ix__touch foot;     /* on the other set; if blocked, on the own one */
+    int vertex, side;   /* of the other foot: vertex or -1, side of its span */
     double speed, rate; /* of the centre and of the other foot, by at */
 } ix__sample;
 
@@ -51,8 +51,8 @@ ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
  */
 typedef struct {
     int first, count;
-    bool far[2];   /* before and behind it the centre is at infinity */
-    bool joined;   /* begins where the run before it in the list ends */
+    bool far[2]; /* before and behind it the centre is at infinity */
+    bool joined; /* begins where the run before it in the list ends */
     int loop;
 } ix__run;
 

@@ -16,7 +16,8 @@
 #include "mv/mv.h"
 #include "ops/lift.h"
 
-/* --- the inverted curve ---------------------------------------------------- */
+/* --- the inverted curve ----------------------------------------------------
+ */
 
 static ix_status inverted(ix_ctx *ctx, const ix_mv *crv, const double q[2],
                           ix_mv **out)
@@ -36,7 +37,8 @@ static ix_status inverted(ix_ctx *ctx, const ix_mv *crv, const double q[2],
     return ix__form_store(ctx, &y, true, NULL, out);
 }
 
-/* --- the list -------------------------------------------------------------- */
+/* --- the list --------------------------------------------------------------
+ */
 
 typedef struct {
     ix_ctx *ctx;

@@ -77,7 +77,8 @@ static inline double brute_distance(ix_ctx *ctx, const brute *b,
         return hypot(q[0] - b->point[0], q[1] - b->point[1]);
     for (int i = 0; i < b->n; i++)
         for (int j = 0; j <= BRUTE; j++)
-            best = fmin(best, hypot(b->x[i][j][0] - q[0], b->x[i][j][1] - q[1]));
+            best = fmin(best,
+                        hypot(b->x[i][j][0] - q[0], b->x[i][j][1] - q[1]));
     margin = best;
     for (int i = 0; fine && i < b->n; i++)
         for (int j = 0; j <= BRUTE; j++) {
@@ -92,11 +93,10 @@ static inline double brute_distance(ix_ctx *ctx, const brute *b,
             if (d[1] <= d[0] && d[1] <= d[2] &&
                 d[1] - fabs(d[0] - d[1]) - fabs(d[2] - d[1]) <= margin)
                 for (int m = -4; m < 4; m++)
-                    best = fmin(best,
-                                brute_golden(
-                                    ctx, b->crv[i],
-                                    fmax(j + 0.25 * m, 0) / BRUTE,
-                                    fmin(j + 0.25 * (m + 1), BRUTE) / BRUTE, q));
+                    best = fmin(
+                        best, brute_golden(
+                                  ctx, b->crv[i], fmax(j + 0.25 * m, 0) / BRUTE,
+                                  fmin(j + 0.25 * (m + 1), BRUTE) / BRUTE, q));
         }
     return best;
 }

@@ -98,7 +98,8 @@ static void by_definition(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- the examples of the paper --------------------------------------------- */
+/* --- the examples of the paper ---------------------------------------------
+ */
 
 /* A curve whose coordinates are monomials: w, x, y as sums of c_i u^i, i <= d,
  * over u in [-a, a]. */
@@ -261,8 +262,8 @@ static void quartic_pairs(double a, double b, double *p)
               36 * a * b * (13 * a2 + 17 * b2) + 63 * a2 - 89 * b2),
         -108 * (a * (57 * a4 + 290 * a2 * b2 + 233 * b4) +
                 b * (57 * a2 + 41 * b2) + 2 * a),
-        9 * (2664 * a * b * q * q +
-             12 * (57 * a4 + 234 * a2 * b2 + 65 * b4) + 520 * a * b + 3),
+        9 * (2664 * a * b * q * q + 12 * (57 * a4 + 234 * a2 * b2 + 65 * b4) +
+             520 * a * b + 3),
         -4 * (27 * b * (253 * a4 + 234 * a2 * b2 - 19 * b4) + 945 * a * q +
               293 * b),
         -36 * (108 * a2 * q * q - 24 * a * b * (29 * a2 + 45 * b2) - 7 * a2 +
@@ -297,8 +298,8 @@ static void cubic(void **state)
     for (int i = 0; i < NPOINTS; i++) {
         double a = points[i][0], b = points[i][1], self[25];
         const double inf[4] = {b, 0, -3 * a, 2};
-        const double cusp[8] = {b, -3 * (a * a + b * b), 3 * a,  -1,
-                                15 * b,  0, -27 * a, 15};
+        const double cusp[8] = {
+            b, -3 * (a * a + b * b), 3 * a, -1, 15 * b, 0, -27 * a, 15};
         ix_pt_crv_special *s;
         int n;
 
@@ -376,7 +377,8 @@ static void extraordinary(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- the two meanings ------------------------------------------------------ */
+/* --- the two meanings ------------------------------------------------------
+ */
 
 /* Trimmed against the whole carrier a parabola's arc has the trim points (86)
  * and (41) of the paper, and is a part of the whole parabola's bisector. */
@@ -428,8 +430,8 @@ static void whole_parabola(void **state)
                     (void)t;
                     seen = true;
                     /* normal to the tangent through the point */
-                    assert_true(fabs(p->dir[e][0] * 1 +
-                                     p->dir[e][1] * 2 * u) <= 1e-6);
+                    assert_true(fabs(p->dir[e][0] * 1 + p->dir[e][1] * 2 * u) <=
+                                1e-6);
                 }
         }
         assert_true(seen);
@@ -501,7 +503,8 @@ static void line(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- the point on the curve ------------------------------------------------ */
+/* --- the point on the curve ------------------------------------------------
+ */
 
 static void on_the_curve(void **state)
 {
@@ -540,7 +543,8 @@ static void on_the_curve(void **state)
     ix_ctx_free(ctx);
 }
 
-/* --- errors ---------------------------------------------------------------- */
+/* --- errors ----------------------------------------------------------------
+ */
 
 static void errors(void **state)
 {
@@ -559,8 +563,7 @@ static void errors(void **state)
     assert_int_equal(ix_bisect_pt_crv(ctx, m, q, false, -1, &s), IX_EARG);
     assert_int_equal(ix_bisect_pt_crv(ctx, m, q, false, NAN, &s), IX_EARG);
     assert_int_equal(ix_bisect_pt_crv(ctx, one, q, false, 0, &s), IX_EARG);
-    assert_int_equal(ix_bisect_pt_crv(ctx, point, q, false, 0, &s),
-                     IX_EDOMAIN);
+    assert_int_equal(ix_bisect_pt_crv(ctx, point, q, false, 0, &s), IX_EDOMAIN);
     assert_int_equal(ix_pt_crv_specials(ctx, m, bad, &sp, &n), IX_EARG);
     assert_int_equal(ix_pt_crv_specials(ctx, one, q, &sp, &n), IX_EARG);
     ix_mv_unref(ctx, m);
@@ -615,12 +618,17 @@ static void no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(by_definition), cmocka_unit_test(parabola),
-        cmocka_unit_test(ellipse),       cmocka_unit_test(cubic),
+        cmocka_unit_test(by_definition),
+        cmocka_unit_test(parabola),
+        cmocka_unit_test(ellipse),
+        cmocka_unit_test(cubic),
         cmocka_unit_test(crossings_are_pairs),
-        cmocka_unit_test(extraordinary), cmocka_unit_test(whole_parabola),
-        cmocka_unit_test(whole_circle),  cmocka_unit_test(line),
-        cmocka_unit_test(on_the_curve),  cmocka_unit_test(errors),
+        cmocka_unit_test(extraordinary),
+        cmocka_unit_test(whole_parabola),
+        cmocka_unit_test(whole_circle),
+        cmocka_unit_test(line),
+        cmocka_unit_test(on_the_curve),
+        cmocka_unit_test(errors),
         cmocka_unit_test(no_memory),
     };
 
