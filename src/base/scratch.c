@@ -14,7 +14,9 @@
 #define CHUNK  65536u
 #define GROWTH 4u
 #endif
-#define MOST ((size_t)1 << 24)
+/* Just below what the C library maps anew each time, whatever it has learned
+ * (32 MB): it keeps blocks up to that, and twice as much free memory. */
+#define MOST ((size_t)31 << 20)
 
 struct ix__chunk {
     ix__chunk *prev;
