@@ -51,6 +51,13 @@ ix_status ix_positive_region(ix_ctx *ctx, const ix_mv *f, double tol,
 ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
                               double tol,
                               ix_solution_curves *out) IX_MUST_CHECK;
+/* Points (u, v) of the silhouette at which the view is an asymptotic direction:
+ * its image has a cusp or an inflection there. Err IX_EARG view is 0, not a
+ * Bezier or B-spline surface; IX_EDOMAIN the view lies in all tangent planes.
+ */
+ix_status ix_silhouette_inflections(ix_ctx *ctx, const ix_mv *s,
+                                    const double view[3],
+                                    ix_solutions *out) IX_MUST_CHECK;
 /* Points of the implicit curve f(u, v) = 0 at which direction dir (0 or 1) is
  * stationary along it: f = df/d(other direction) = 0. Solutions (u, v). Err
  * IX_EARG f is not a scalar of two directions. */

@@ -162,6 +162,11 @@ ix_status ix_crv_srf_meet(ix_ctx *ctx, const ix_mv *c, const ix_mv *s,
 ix_status ix_srf3_meet(ix_ctx *ctx, const ix_mv *const s[3],
                        ix_solutions *out) IX_MUST_CHECK;
 
+/* Where the ray p + t d, t >= 0, meets a surface: solutions (u, v, t) by
+ * increasing t. Err IX_EARG d is 0, not a Bezier or B-spline surface. */
+ix_status ix_srf_ray(ix_ctx *ctx, const ix_mv *s, const double p[3],
+                     const double d[3], ix_solutions *out) IX_MUST_CHECK;
+
 /* --- distances of two freeforms --------------------------------------------
  */
 

@@ -63,6 +63,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_solve,
     ix__builtins_offset,
     ix__builtins_enclose,
+    ix__builtins_touch,
     ix__builtins_startup,
 };
 #define NTABLES (sizeof tables / sizeof *tables)
