@@ -19,7 +19,7 @@ Q       := $(if $(filter 1,$(V)),,@)
 # --- packages ----------------------------------------------------------------
 # Missing Debian packages are installed once, before anything else is looked at:
 # make remakes this included stamp and starts again.
-PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libedit-dev libcmocka-dev libflint-dev libcairo2-dev python3
+PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libedit-dev libcmocka-dev libflint-dev libcairo2-dev libsundials-dev python3
 PKGS     := zlib libxml-2.0
 setup: build/.setup                                 ## install missing Debian packages
 build/.setup: scripts/dev/setup Makefile
@@ -46,10 +46,13 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(if $(filter 0,$(WITH_LIBEDIT)),-DIX_NO_LIBEDIT) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(if $(filter 0,$(WITH_LIBEDIT)),-DIX_NO_LIBEDIT) $(if $(filter 0,$(WITH_SUNDIALS)),-DIX_NO_SUNDIALS) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 # WITH_LIBEDIT=0: a prompt without history and completion. The program loads
 # the library with the first line that it asks for; only its header is needed.
 WITH_LIBEDIT ?= 1
+# WITH_SUNDIALS=0: no distances on surfaces. Loaded with the first of them.
+WITH_SUNDIALS ?= 1
+export WITH_SUNDIALS
 # Exact arithmetic in tests only, as an independent truth; left out if absent.
 FLINT       := $(shell printf '\043include <flint/fmpz_poly.h>\n' | $(CC) -E -x c - >/dev/null 2>&1 && echo 1)
 TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)

@@ -74,6 +74,7 @@ extern const ix_builtin ix__builtins_prim[];
 extern const ix_builtin ix__builtins_ops_crv[];
 extern const ix_builtin ix__builtins_ops_srf[];
 extern const ix_builtin ix__builtins_degrees[];
+extern const ix_builtin ix__builtins_geodesic[];
 extern const ix_builtin ix__builtins_poly[];
 extern const ix_builtin ix__builtins_tess[];
 extern const ix_builtin ix__builtins_distance[];

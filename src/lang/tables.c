@@ -55,6 +55,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_prim,
     ix__builtins_ops_crv,
     ix__builtins_ops_srf,
+    ix__builtins_geodesic,
     ix__builtins_degrees,
     ix__builtins_poly,
     ix__builtins_tess,
