@@ -5,23 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/crvs.h"
 #include "geom/lines.h"
 #include "geom/parts.h"
 #include "geom/path.h"
 #include "geom/pool.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
-
-static ix_status check(ix_ctx *ctx, const ix_mv *c)
-{
-    if (c->ndirs != 1 || c->ncoords < 2 || c->dirs[0].basis == IX_POWER)
-        return IX_FAIL(ctx, IX_EARG,
-                       "%d directions and %d coordinates%s; a planar Bezier "
-                       "or B-spline curve is wanted",
-                       c->ndirs, c->ncoords,
-                       c->dirs[0].basis == IX_POWER ? ", power basis" : "");
-    return IX_OK;
-}
 
 /* The curve's box, enlarged. */
 static ix_status box_of(ix_ctx *ctx, const ix_mv *c, double lo[2], double hi[2])
@@ -92,7 +82,7 @@ ix_status ix_crv_kernel_field(ix_ctx *ctx, const ix_mv *crv, double gamma,
     ix_mv *same[3] = {NULL}, *c;
 
     *out = NULL;
-    IX_TRY(check(ctx, crv));
+    IX_TRY(ix__check_planar(ctx, crv));
     IX_TRY(box_of(ctx, crv, lo, hi));
     IX_TRY(ix_mv_to_open(ctx, crv, &c));
     parts(&q, c, gamma, f);
@@ -208,7 +198,7 @@ ix_status ix_crv_kernel_sheet(ix_ctx *ctx, const ix_mv *crv, double gamma,
                               int lines, ix_lines *out)
 {
     *out = (ix_lines){0};
-    IX_TRY(check(ctx, crv));
+    IX_TRY(ix__check_planar(ctx, crv));
     if (lines < 2 || lines > 1 << 20)
         return IX_FAIL(ctx, IX_EARG, "%d lines on a span; 2 or more are wanted",
                        lines);
@@ -247,7 +237,7 @@ ix_status ix_crv_kernel_surface(ix_ctx *ctx, const ix_mv *crv, double gamma,
     ix_status st;
 
     *out = NULL;
-    IX_TRY(check(ctx, crv));
+    IX_TRY(ix__check_planar(ctx, crv));
     if (!(extent > 0) || !(fabs(cos(gamma)) > 1e-12))
         return IX_FAIL(ctx, IX_EARG,
                        "extent %g, gamma %g radians: a positive extent and no "

@@ -1,6 +1,8 @@
 /* crvs.c - a counted row of curves in one block: references, then intervals. */
 #include "geom/crvs.h"
 
+#include "mv/mv.h"
+
 static size_t block_size(int n)
 {
     return (size_t)n * (sizeof(ix_mv *) + 2 * sizeof(double));
@@ -31,4 +33,16 @@ void ix_crvs_free(ix_ctx *ctx, ix_crvs *c)
         ix_mv_unref(ctx, c->crv[i]);
     ix__free(ctx, c->t, block_size(c->n));
     *c = (ix_crvs){0};
+}
+
+ix_status ix__check_planar(ix_ctx *ctx, const ix_mv *c)
+{
+    bool power = c->dirs[0].basis == IX_POWER;
+
+    if (c->ndirs != 1 || c->ncoords < 2 || power)
+        return IX_FAIL(ctx, IX_EARG,
+                       "%d directions and %d coordinates%s; a planar Bezier "
+                       "or B-spline curve is wanted",
+                       c->ndirs, c->ncoords, power ? ", power basis" : "");
+    return IX_OK;
 }

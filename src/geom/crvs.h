@@ -9,4 +9,8 @@
  * filled ones. */
 ix_status ix__crvs_new(ix_ctx *ctx, int n, ix_crvs *out) IX_MUST_CHECK;
 
+/* Err IX_EARG unless c is a Bezier or B-spline curve of two coordinates or
+ * more. */
+ix_status ix__check_planar(ix_ctx *ctx, const ix_mv *c) IX_MUST_CHECK;
+
 #endif

@@ -5,6 +5,7 @@
  * low degree, and nothing vanishes where the normals are parallel. */
 #include <math.h>
 
+#include "geom/crvs.h"
 #include "geom/unit_solve.h"
 #include "iritx/distance.h"
 
@@ -55,17 +56,6 @@ static ix_status center_box(ix_ctx *ctx, const ix_mv *c, double r,
     return IX_OK;
 }
 
-static ix_status check(ix_ctx *ctx, const ix_mv *c)
-{
-    if (c->ndirs != 1 || c->ncoords < 2 || c->dirs[0].basis == IX_POWER)
-        return IX_FAIL(ctx, IX_EARG,
-                       "%d directions and %d coordinates%s; a planar Bezier "
-                       "or B-spline curve is wanted",
-                       c->ndirs, c->ncoords,
-                       c->dirs[0].basis == IX_POWER ? ", power basis" : "");
-    return IX_OK;
-}
-
 ix_status ix_crv_tangent_circles(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                                  double radius, ix_solutions *out)
 {
@@ -77,8 +67,8 @@ ix_status ix_crv_tangent_circles(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
     side s[2];
 
     *out = (ix_solutions){.n = 0};
-    IX_TRY(check(ctx, a));
-    IX_TRY(check(ctx, b));
+    IX_TRY(ix__check_planar(ctx, a));
+    IX_TRY(ix__check_planar(ctx, b));
     if (!(radius > 0 && isfinite(radius)))
         return IX_FAIL(ctx, IX_EARG, "a radius of %g; it must be positive",
                        radius);
