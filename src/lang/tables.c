@@ -65,6 +65,8 @@ static const ix_builtin *const tables[] = {
     ix__builtins_offset,
     ix__builtins_enclose,
     ix__builtins_touch,
+    ix__builtins_text,
+    ix__builtins_solid,
     ix__builtins_startup,
 };
 #define NTABLES (sizeof tables / sizeof *tables)
