@@ -53,6 +53,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_bisect2d,
     ix__builtins_bisect3d,
     ix__builtins_prim,
+    ix__builtins_mbisect,
     ix__builtins_ops_crv,
     ix__builtins_ops_srf,
     ix__builtins_geodesic,
