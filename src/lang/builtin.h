@@ -85,7 +85,7 @@ extern const ix_builtin ix__builtins_offset[];
 extern const ix_builtin ix__builtins_enclose[];
 extern const ix_builtin ix__builtins_touch[];
 extern const ix_builtin ix__builtins_text[];
-extern const ix_builtin ix__builtins_solid[]; /* and other outsiders */
+extern const ix_builtin ix__builtins_solid[];   /* and other outsiders */
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------
