@@ -12,6 +12,7 @@
 #define IRITX_OPS_PLANE_H
 
 #include "iritx/geom.h"
+#include "iritx/ops.h"
 #include "iritx/solve.h"
 
 #ifdef __cplusplus
@@ -162,6 +163,45 @@ typedef enum {
 /* Of the ends of c1, then of c2: start, end; closed curves have free ones. */
 void ix_bisector_ends(const ix_bisector *b, const ix_mv *c1, const ix_mv *c2,
                       ix_end_class out[4]);
+
+/* --- correspondence of feet ------------------------------------------------
+ */
+
+/* A function F(t, r) over the parameters of two planar curves that vanishes
+ * where one circle touches both: at C1(t) and at C2(r). With C' = D / w^2 and
+ * d = C2 - C1:
+ *
+ *   1   (d x C2')^2 |C1'|^2 - (C1' x d)^2 |C2'|^2       4d-2 / 6d-4
+ *   2   (d.C2')^2 |C1'|^2 - (d.C1')^2 |C2'|^2 = -F1     4d-2 / 6d-4
+ *   3   <(X, Y) - det (C1 + C2) / 2, C1 - C2>           3d-1 / 4d-2
+ *   4   P3: the point (X, Y) / det where the normals meet, as z the number
+ *       -2 F3                                           4d-2 / 7d-2
+ *
+ * det = C1' x C2'. (d the degree, polynomial / rational; of rational curves F1
+ * to F3 are these times powers of the weights.) F1 and F2 also vanish where the
+ * normals make equal angles with d without meeting on the circle; F3 is the
+ * determinant of both lifts and their derivatives and does not.
+ *
+ * In    o      max_cont; degree forms are all the same; NULL: defaults
+ * Out   *out   two directions, E1 or P3, over both domains
+ * Err   IX_EARG not curves with at least two coordinates, func
+ * Num   in a frame of size 1; relative error a few roundings of the terms
+ * Src   Elber & Kim 1998 (functions 1 to 4 of IRIT, which drops weights) */
+ix_status ix_cbisector2d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                         int func, const ix_op_opts *o,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* The untrimmed bisector of two curves: all centres of circles that touch
+ * both, as polylines (z is 0) of exact points, by function 3.
+ *
+ * In    tol     as in ix_curves_opts
+ *       facing  only where the tangents make no acute angle
+ * Out   *out    freed with ix_lines_free; points farther away than ten times
+ *               the size of both curves are left out
+ * Err   IX_EARG not curves with at least two coordinates, tol */
+ix_status ix_cbisector2d_curves(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                                double tol, bool facing,
+                                ix_lines *out) IX_MUST_CHECK;
 
 #ifdef __cplusplus
 }

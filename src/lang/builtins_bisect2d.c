@@ -352,6 +352,83 @@ static ix_status bisecteval(ix_call *c)
     return ix__ret(c, ix__obj_point(c->ctx, p));
 }
 
+/* --- the functions of IRIT -------------------------------------------------
+ */
+
+/* Polylines as curves of order 2. */
+static ix_status ret_lines(ix_call *c, const ix_lines *l)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+    const double(*p)[3] = (const double(*)[3])l->pt;
+    double *x, *u;
+    ix_mv *m;
+
+    for (int i = 0; st == IX_OK && i < l->n; p += l->count[i], i++) {
+        int n = l->count[i];
+
+        x = ix__scratch(c->ctx, (size_t)(3 * n), sizeof *x);
+        if (!x) {
+            st = IX_ENOMEM;
+            break;
+        }
+        u = x + 2 * n;
+        for (int j = 0; j < n; j++)
+            memcpy(x + 2 * j, p[j], 2 * sizeof(double));
+        n = by_length(n, x, NULL, u);
+        st = polyline(c->ctx, n, u, x, &m);
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list,
+                              ix__obj_mv(c->ctx, IX_OBJ_CURVE, m));
+    }
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status two_curves(ix_call *c, const ix_mv *a, const ix_mv *b,
+                            int func)
+{
+    ix_op_opts o = ix__op_opts(c);
+    ix_status st;
+    ix_lines l;
+    ix_mv *m;
+
+    if (ix__arg_bool(c, 1)) {
+        if (func == 3)
+            o.max_cont = 0; /* as IRIT, with every product method */
+        IX_TRY(ix_cbisector2d(c->ctx, a, b, func, &o, &m));
+        return ix__ret_mv(c, -1, m);
+    }
+    IX_TRY(ix_cbisector2d_curves(c->ctx, a, b, 0, ix__arg_bool(c, 5), &l));
+    st = ret_lines(c, &l);
+    ix_lines_free(c->ctx, &l);
+    return st;
+}
+
+static ix_status cbisector2d(ix_call *c)
+{
+    static const char what[] = "list(curve, curve), list(curve, point) or a "
+                               "curve";
+    ix_op_opts o = ix__op_opts(c);
+    ix_operand x[2];
+    ix_mv *m;
+    int func;
+
+    IX_TRY(ix__arg_int(c, 2, 1, 3, &func));
+    if (c->argv[0]->type == IX_OBJ_CURVE) {
+        if (!ix__arg_bool(c, 1))
+            return IX_ARG_FAIL(c, 0,
+                               "the bisector of a curve with itself is what "
+                               "MEDIALAXIS gives");
+        return two_curves(c, ix__arg_mv(c, 0), ix__arg_mv(c, 0), func);
+    }
+    IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2, what, x));
+    if (x[1].mv)
+        return two_curves(c, x[0].mv, x[1].mv, func);
+    IX_TRY(ix_pt_crv_bisector(c->ctx, x[0].mv, x[1].pt, 0.5, &o, NULL, &m));
+    IX_TRY(ix__ret_mv(c, -1, m));
+    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+}
+
 /* --- table -----------------------------------------------------------------
  */
 
@@ -363,6 +440,16 @@ static ix_status bisecteval(ix_call *c)
          "-1))); "
 
 const ix_builtin ix__builtins_bisect2d[] = {
+    {"CBISECTOR2D",
+     "x:curve|list zero:bool func:num tol:num improve:bool facing:bool -> "
+     "curve|surface|list",
+     "Untrimmed bisectors in the plane: of list(curve, point) an exact curve; "
+     "of list(curve, curve) polylines through exact points, with facing only "
+     "where the tangents make no acute angle; with zero the function 1, 2 or 3 "
+     "whose zeros are the pairs of feet, weights included (a curve: with "
+     "itself). tol and improve are not needed.",
+     TWO "l = cbisector2d(list(c, d), false, 3, 10, true, true);", cbisector2d,
+     0, 21},
     {"PTCRVBISECT", "c:curve pt:pt3 trim:num -> curve|list",
      "What is equally far from a point and a planar curve: trim 0 the whole "
      "rational curve of normals; 1 the true bisector with the distance to the "

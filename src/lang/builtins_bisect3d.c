@@ -1,5 +1,6 @@
 /* builtins_bisect3d.c - bisectors in space (chapter 21 of spec/functions). */
 #include "iritx/ops_bisect.h"
+#include "iritx/ops_plane.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
@@ -98,6 +99,17 @@ static ix_status ruled_bisector(ix_call *c, const ix_operand *x, double alpha,
 /* --- two curves ------------------------------------------------------------
  */
 
+/* Function 4: of planar curves, a surface whose section with z = 0 is their
+ * untrimmed bisector; C0 joins as IRIT makes them. */
+static ix_status where_normals_meet(ix_call *c, const ix_mv *a, const ix_mv *b)
+{
+    static const ix_op_opts o = {IX_FORM_MINIMAL, 0};
+    ix_mv *m;
+
+    IX_TRY(ix_cbisector2d(c->ctx, a, b, 4, &o, &m));
+    return ix__ret_mv(c, -1, m);
+}
+
 static ix_status cbisector3d(ix_call *c)
 {
     ix_op_opts o = ix__op_opts(c);
@@ -116,9 +128,7 @@ static ix_status cbisector3d(ix_call *c)
                            "only the bisector of a curve and a point is "
                            "ruled");
     if (ix__arg_num(c, 1) == 4)
-        return IX_ARG_FAIL(c, 1,
-                           "the zero set of function 4 is not available, "
-                           "only the bisector surface (1)");
+        return where_normals_meet(c, x[0].mv, x[1].mv);
     IX_TRY(ix_cbisector3d(c->ctx, x[0].mv, x[1].mv, &o, NULL, &out));
     return ix__ret_mv(c, -1, out);
 }
@@ -204,7 +214,8 @@ const ix_builtin ix__builtins_bisect3d[] = {
      "Exact rational bisector surface of two space curves: S(u, v) has the "
      "same distance from both, with foot points at u and v. Of a curve and a "
      "point: a ruled surface, v along the rulings, which end at planes or, "
-     "with list(min, max, 1), are given by a directrix.",
+     "with list(min, max, 1), are given by a directrix. func 4: of planar "
+     "curves the surface whose section with z = 0 is their bisector.",
      PAIR "s = cbisector3d(list(a, b), 1); r = cbisector3d(list(a, point(0, "
           "1, 1)), 1, list(-1, 1));",
      cbisector3d, 0, 21},
