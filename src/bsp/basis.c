@@ -123,3 +123,44 @@ void ix__basis_derive(const ix_dir *dir, int first, double t, int k, double *w)
     for (int e = d - k; e < d; e++)
         undo_difference(dir, mu, e, w);
 }
+
+/* One level of the triangle: weights of degree r - 1 become those of degree
+ * r. */
+static void next_level(const ix_dir *dir, int mu, int r, double t, double *w)
+{
+    double saved = 0;
+
+    for (int q = 0; q < r; q++) {
+        double v = w[q];
+
+        if (dir->basis == IX_BSPLINE) {
+            double lo = dir->knots[mu + 1 - r + q], hi = dir->knots[mu + 1 + q];
+
+            v /= hi - lo;
+            w[q] = saved + (hi - t) * v;
+            saved = (t - lo) * v;
+        } else {
+            w[q] = saved + (1 - t) * v;
+            saved = t * v;
+        }
+    }
+    w[r] = saved;
+}
+
+void ix__basis_derivs(const ix_dir *dir, int first, double t, int k, double *w)
+{
+    int order = dir->order, d = order - 1, mu = first + d;
+
+    for (int i = 0; i < (k + 1) * order; i++)
+        w[i] = 0;
+    w[0] = 1;
+    for (int r = 1; r <= d; r++) {
+        if (r - 1 >= d - k) /* that of degree d - i goes on as derivative i */
+            for (int q = 0; q < r; q++)
+                w[(d - r + 1) * order + q] = w[q];
+        next_level(dir, mu, r, t, w);
+    }
+    for (int i = 1; i <= k && i <= d; i++)
+        for (int e = d - i; e < d; e++)
+            undo_difference(dir, mu, e, w + i * order);
+}

@@ -21,6 +21,10 @@ void ix__basis_blossom(const ix_dir *dir, int first, const double *args,
 /* k-th derivative (0: the value) of the window's basis at t: w[order]. */
 void ix__basis_derive(const ix_dir *dir, int first, double t, int k, double *w);
 
+/* All derivatives 0 .. k at once: w[k + 1][order]; the same bits, one pass. Not
+ * for the power basis. */
+void ix__basis_derivs(const ix_dir *dir, int first, double t, int k, double *w);
+
 /* The same core on bare knots: weights of c[mu - d .. mu] in the blossom of
  * the span [knots[mu], knots[mu + 1]] (not empty) at args[d]: w[d + 1]. */
 void ix__blossom_weights(const double *knots, int mu, int d, const double *args,

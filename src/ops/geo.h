@@ -38,9 +38,11 @@ typedef double ix__geo_jet[IX_GEO_NJET][3];
 typedef struct {
     ix_dir dir;
     int nspans;
-    double *breaks; /* [nspans + 1] */
-    int *first;     /* of the window of each span */
-    double *w;      /* [4][order], weights */
+    double *breaks;  /* [nspans + 1] */
+    const int *cont; /* [nspans - 1], at inner breaks, at least */
+    int *first;      /* of the window of each span */
+    double *w;       /* [4][order], weights of the derivatives */
+    double *wt;      /* [order][4], the same */
 } ix__geo_dir;
 
 typedef struct {
@@ -49,7 +51,6 @@ typedef struct {
     double size;          /* of length */
     const ix_mv *mv;      /* no power or periodic directions; NULL: function */
     ix__geo_dir d[2];
-    double *rows; /* [axes][order of 1][4] */
     bool planar;
 } ix__geo_srf;
 
@@ -90,6 +91,8 @@ typedef struct {
     const ix_mv *mv;
     ix__geo_dir d;
     ix__geo_cell *cell; /* of each span */
+    int (*group)[2];    /* of each span: the first span, and the one after the
+                           last, between breaks at which curvatures jump */
     double lo, len;
     const ix__geo_srf *s;
 } ix__geo_crv;

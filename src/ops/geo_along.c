@@ -5,13 +5,19 @@
 #include "geom/vec3.h"
 #include "ops/geo.h"
 
-enum { PROBES = 16 }; /* of existence, between two breaks */
+enum {
+    PROBES = 64,
+    MOST = 16,
+    LEAST = 4
+}; /* of existence: of the border, at
+      most and least between breaks */
 
 typedef struct {
     const ix__geo_along *a;
     ix__geo_found *f;
     ix__geo_trace t;
     ix_geo_stop first; /* what is at the start of the trace */
+    int probes;        /* between two breaks */
 } tracer;
 
 static ix_status sample_at(const ix__geo_along *a, double t, double lo,
@@ -133,8 +139,8 @@ static ix_status scan(tracer *r, double lo, double hi)
 {
     double before = lo;
 
-    for (int i = 0; i <= PROBES; i++) {
-        double t = i == PROBES ? hi : lo + (hi - lo) * i / PROBES;
+    for (int i = 0; i <= r->probes; i++) {
+        double t = i == r->probes ? hi : lo + (hi - lo) * i / r->probes;
         bool was = r->t.n > 0, ok;
         ix_geo_stop why;
         ix__geo_sample s;
@@ -160,6 +166,9 @@ ix_status ix__geo_along_run(const ix__geo_along *a, int n, const double *breaks,
 {
     tracer r = {.a = a, .f = f, .first = IX_GEO_END};
 
+    r.probes = PROBES / n < LEAST  ? LEAST
+               : PROBES / n > MOST ? MOST
+                                   : PROBES / n;
     for (int i = 0; i < n - 1; i++)
         IX_TRY(scan(&r, breaks[i], breaks[i + 1]));
     return end_curve(&r, IX_GEO_END);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bern/clones.h"
 #include "bsp/basis.h"
 #include "geom/vec3.h"
 #include "iritx/geom.h"
@@ -31,9 +32,11 @@ static ix_status open_dir(ix_ctx *ctx, const ix_dir *dir, double lo, double len,
     out->dir = *dir;
     IX_TRY(ix__spans_of(ctx, dir, &sp));
     out->nspans = sp.nspans;
+    out->cont = sp.cont;
     IX_SCRATCH(ctx, out->breaks, sp.nspans + 1);
     IX_SCRATCH(ctx, out->first, sp.nspans);
     IX_SCRATCH(ctx, out->w, 4 * dir->order);
+    IX_SCRATCH_ZERO(ctx, out->wt, 4 * dir->order);
     for (int i = 0; i <= sp.nspans; i++)
         out->breaks[i] = (sp.breaks[i] - lo) / len;
     for (int i = 0; i < sp.nspans; i++)
@@ -180,7 +183,6 @@ ix_status ix__geo_srf_open(ix_ctx *ctx, const ix_geo_surface *in,
         for (int d = 0; d < 2; d++)
             IX_TRY(
                 open_dir(ctx, s->mv->dirs + d, s->lo[d], s->len[d], &s->d[d]));
-        IX_SCRATCH(ctx, s->rows, 16 * s->mv->dirs[1].order);
     }
     IX_TRY(find_size(ctx, s));
     return s->mv ? find_plane(ctx, s->mv, s->size, &s->planar) : IX_OK;
@@ -215,12 +217,52 @@ ix__geo_cell ix__geo_cell_of(const ix__geo_srf *s, double u, double v)
 /* --- derivatives ------------------------------------------------------------
  */
 
-/* w[k][order] of the derivatives 0 .. n by the polynomial of a span. */
+/* The weights of the derivatives 0 .. n by the polynomial of a span; those of
+ * higher ones are left: finite numbers that are not used. */
 static void weights(const ix__geo_dir *d, int span, double t, int n)
 {
+    int order = d->dir.order;
+
+    ix__basis_derivs(&d->dir, d->first[span], t, n, d->w);
     for (int k = 0; k <= n; k++)
-        ix__basis_derive(&d->dir, d->first[span], t, k,
-                         d->w + k * d->dir.order);
+        for (int i = 0; i < order; i++)
+            d->wt[4 * i + k] = d->w[k * order + i];
+}
+
+/* Sum of w[i] p[i], four derivatives at once. */
+IX__INLINE void sum_row(int n, const ix__v4 *w, const double *p, ix__v4 *out)
+{
+    ix__v4 even = {0}, odd = {0}; /* neither waits for the other */
+    int i = 0;
+
+    for (; i + 1 < n; i += 2) {
+        even += w[i] * p[i];
+        odd += w[i + 1] * p[i + 1];
+    }
+    if (i < n)
+        even += w[i] * p[i];
+    *out = even + odd;
+}
+
+/* One axis of a window of n[0] x n[1] points, rows len apart: all[i][k] is the
+ * derivative i by v, k by u. */
+IX__CLONES static void sum_axis(const int n[2], const double *const wt[2],
+                                const double *p, size_t len, int order,
+                                double (*all)[4])
+{
+    const ix__v4 *w = ix__cvec(wt[0]);
+    const double *wv = wt[1];
+    ix__v4 sum[4] = {{0}};
+
+    for (int j = 0; j < n[1]; j++, p += len, wv += 4) {
+        ix__v4 row;
+
+        sum_row(n[0], w, p, &row);
+        for (int i = 0; i <= order; i++)
+            sum[i] += wv[i] * row;
+    }
+    for (int i = 0; i <= order; i++)
+        *ix__vec(all[i]) = sum[i];
 }
 
 /* Homogeneous derivatives: h[axis][derivative]. */
@@ -228,31 +270,17 @@ static void sum(const ix__geo_srf *s, ix__geo_cell c, int order,
                 double (*h)[IX_GEO_NJET])
 {
     const ix_mv *m = s->mv;
-    int n0 = m->dirs[0].order, n1 = m->dirs[1].order;
+    const int n[2] = {m->dirs[0].order, m->dirs[1].order};
+    const double *const wt[2] = {s->d[0].wt, s->d[1].wt};
     size_t len = (size_t)m->dirs[0].length;
     size_t from = (size_t)s->d[0].first[c.at[0]] +
                   len * (size_t)s->d[1].first[c.at[1]];
+    double all[4][4];
 
     for (int a = 0; a < m->naxes; a++) {
-        const double *p = m->pts + (size_t)a * m->npts + from;
-
-        for (int j = 0; j < n1; j++, p += len)
-            for (int k = 0; k <= order; k++) {
-                const double *w = s->d[0].w + k * n0;
-                double x = 0;
-
-                for (int i = 0; i < n0; i++)
-                    x += w[i] * p[i];
-                s->rows[4 * j + k] = x;
-            }
-        for (int q = 0; q < njet[order]; q++) {
-            const double *w = s->d[1].w + deriv[q][1] * n1;
-            double x = 0;
-
-            for (int j = 0; j < n1; j++)
-                x += w[j] * s->rows[4 * j + deriv[q][0]];
-            h[a][q] = x;
-        }
+        sum_axis(n, wt, m->pts + (size_t)a * m->npts + from, len, order, all);
+        for (int q = 0; q < njet[order]; q++)
+            h[a][q] = all[deriv[q][1]][deriv[q][0]];
     }
 }
 
@@ -407,10 +435,15 @@ static ix_status check_inside(ix_ctx *ctx, const ix__geo_crv *c,
     return IX_OK;
 }
 
-/* Appends to t[*n] the parameters where coordinate d of the curve is at a knot
+typedef struct {
+    double t;
+    bool jump; /* of curvatures */
+} cut;
+
+/* Appends to x[*n] the parameters where coordinate d of the curve is at a knot
  * of the surface. */
 static ix_status add_crossings(ix_ctx *ctx, const ix__geo_crv *c, int d,
-                               int room, double *t, int *n)
+                               int room, cut *x, int *n)
 {
     const ix__geo_srf *s = c->s;
 
@@ -425,52 +458,84 @@ static ix_status add_crossings(ix_ctx *ctx, const ix__geo_crv *c, int d,
         IX_TRY(ix_roots(ctx, c->mv, d + c->mv->rational, &o, &roots, &found));
         for (int k = 0; k < found && *n < room; k++)
             if (roots[k].kind != IX_ROOT_INTERVAL)
-                t[(*n)++] = (roots[k].t - c->lo) / c->len;
+                x[(*n)++] = (cut){(roots[k].t - c->lo) / c->len,
+                                  s->d[d].cont[i - 1] < 2};
         ix_roots_free(ctx, roots, found);
     }
     return IX_OK;
 }
 
-static void sort(int n, double *t)
+static void sort_cuts(int n, cut *x)
 {
     for (int i = 1; i < n; i++) {
-        double x = t[i];
+        cut one = x[i];
         int k = i;
 
-        for (; k > 0 && t[k - 1] > x; k--)
-            t[k] = t[k - 1];
-        t[k] = x;
+        for (; k > 0 && x[k - 1].t > one.t; k--)
+            x[k] = x[k - 1];
+        x[k] = one;
     }
+}
+
+/* Cuts that are one become one; the ends of the domain are not moved. */
+static int join_cuts(int n, cut *x)
+{
+    int kept = 1;
+
+    for (int i = 1; i < n; i++) {
+        bool apart = x[i].t - x[kept - 1].t > 1e-9;
+
+        if (apart && (x[i].t == 1 || 1 - x[i].t > 1e-9))
+            x[kept++] = x[i];
+        else if (!apart)
+            x[kept - 1].jump |= x[i].jump;
+    }
+    return kept;
+}
+
+static ix_status set_spans(ix_ctx *ctx, ix__geo_crv *c, int n, const cut *x)
+{
+    int from = 0;
+
+    c->d.nspans = n;
+    IX_SCRATCH(ctx, c->d.breaks, n + 1);
+    IX_SCRATCH(ctx, c->d.first, n);
+    IX_SCRATCH(ctx, c->cell, n);
+    IX_SCRATCH(ctx, c->group, n);
+    c->d.breaks[0] = x[0].t;
+    for (int i = 0; i < n; i++) {
+        double mid = c->lo + c->len * 0.5 * (x[i].t + x[i + 1].t), uv[2];
+
+        c->group[i][0] = from;
+        c->d.breaks[i + 1] = x[i + 1].t;
+        c->d.first[i] = ix__basis_first(&c->d.dir, mid);
+        IX_TRY(ix_mv_point(ctx, c->mv, &mid, uv));
+        c->cell[i] = ix__geo_cell_of(c->s, (uv[0] - c->s->lo[0]) / c->s->len[0],
+                                     (uv[1] - c->s->lo[1]) / c->s->len[1]);
+        if (i < n - 1 && !x[i + 1].jump)
+            continue;
+        for (; from <= i; from++)
+            c->group[from][1] = i + 1;
+    }
+    return IX_OK;
 }
 
 /* Spans of the curve cut at the knot lines of the surface. */
 static ix_status cut_spans(ix_ctx *ctx, ix__geo_crv *c)
 {
     enum { MORE = 4096 };
-    int n = c->d.nspans + 1, kept = 1;
-    double *t;
+    int n = c->d.nspans + 1, room = n + MORE;
+    cut *x;
 
-    IX_SCRATCH(ctx, t, n + MORE);
-    memcpy(t, c->d.breaks, (size_t)n * sizeof *t);
+    IX_SCRATCH(ctx, x, room);
+    for (int i = 0; i < n; i++)
+        x[i] = (cut){c->d.breaks[i],
+                     i > 0 && i < n - 1 && c->d.cont[i - 1] < 2};
     for (int d = 0; d < 2; d++)
-        IX_TRY(add_crossings(ctx, c, d, c->d.nspans + 1 + MORE, t, &n));
-    sort(n, t);
-    for (int i = 1; i < n; i++) /* an end of the domain is not moved */
-        if (t[i] - t[kept - 1] > 1e-9 && (t[i] == 1 || 1 - t[i] > 1e-9))
-            t[kept++] = t[i];
-    c->d.breaks = t;
-    c->d.nspans = kept - 1;
-    IX_SCRATCH(ctx, c->d.first, kept);
-    IX_SCRATCH(ctx, c->cell, kept);
-    for (int i = 0; i < c->d.nspans; i++) {
-        double mid = c->lo + c->len * 0.5 * (t[i] + t[i + 1]), x[2];
-
-        c->d.first[i] = ix__basis_first(&c->d.dir, mid);
-        IX_TRY(ix_mv_point(ctx, c->mv, &mid, x));
-        c->cell[i] = ix__geo_cell_of(c->s, (x[0] - c->s->lo[0]) / c->s->len[0],
-                                     (x[1] - c->s->lo[1]) / c->s->len[1]);
-    }
-    return IX_OK;
+        IX_TRY(add_crossings(ctx, c, d, room, x, &n));
+    sort_cuts(n, x);
+    n = join_cuts(n, x);
+    return set_spans(ctx, c, n - 1, x);
 }
 
 ix_status ix__geo_crv_open(ix_ctx *ctx, const ix__geo_srf *s, const ix_mv *crv,

@@ -16,7 +16,7 @@
 typedef struct {
     ix__geo *g;
     int side[2];
-    int span[2];     /* of the borders: their polynomials count */
+    int span[2];     /* of the borders: their group counts, see geo.h */
     double orient;   /* 1, -1: what makes t1 grow along the tangent; 0: not
                         known yet. Kept along a curve, also past focal points */
     double along;    /* 1, or -1: against that direction */
@@ -38,6 +38,9 @@ ix_status ix__medial_eval(ix__medial *m, const double x[3],
  * *ok false: no convergence. */
 ix_status ix__medial_newton(ix__medial *m, int fixed, double x[3],
                             ix__medial_point *at, bool *ok) IX_MUST_CHECK;
+
+/* The span of t in the present group of border k. */
+int ix__medial_span(const ix__medial *m, int k, double t);
 
 /* Sets the spans to those of x; the piece on the side of growing (up) or
  * falling t at a break. */

@@ -70,12 +70,13 @@ static void events(void *ud, double l, const double *x, double *e)
     if (!evaluate(r, x))
         return;
     for (int d = 0; d < 2; d++) {
-        const double *b = r->m.g->c[d].d.breaks + r->m.span[d];
+        const ix__geo_crv *c = &r->m.g->c[d];
+        const int *group = c->group[r->m.span[d]];
 
         e[EDGE + 2 * d] = a->q[d] + IX_GEO_SLACK;
         e[EDGE + 2 * d + 1] = 1 + IX_GEO_SLACK - a->q[d];
-        e[RANGE + 2 * d] = x[d] - b[0] + IX_GEO_SLACK;
-        e[RANGE + 2 * d + 1] = b[1] + IX_GEO_SLACK - x[d];
+        e[RANGE + 2 * d] = x[d] - c->d.breaks[group[0]] + IX_GEO_SLACK;
+        e[RANGE + 2 * d + 1] = c->d.breaks[group[1]] + IX_GEO_SLACK - x[d];
         e[FOCAL + d] = a[d].q[4] / a[d].len;
     }
     e[REACH] = r->m.g->reach - fabs(x[2]);
@@ -156,18 +157,20 @@ static ix_status mid(const void *ud, const ix__geo_sample *a,
 /* --- tracing in one direction
  * ---------------------------------------------------------- */
 
-/* At the end of a span: the next one, unless the border ends or has a corner
- * there. */
+/* At the end of a group of spans: the next one, unless the border ends or has a
+ * corner there. */
 static ix_geo_stop next_span(trace *r, int event, const double *x)
 {
-    int k = (event - RANGE) / 2, next = r->m.span[k] + (event % 2 ? 1 : -1);
+    int k = (event - RANGE) / 2, up = event % 2;
     const ix__geo_crv *c = &r->m.g->c[k];
+    const int *group = c->group[r->m.span[k]];
+    int last = up ? group[1] - 1 : group[0], next = up ? last + 1 : last - 1;
     ix__geo_place a, b;
     double turn[3];
 
     if (next < 0 || next >= c->d.nspans)
         return IX_GEO_END;
-    if (!ix__geo_place_at(c, r->m.span[k], x[k], false, &a) ||
+    if (!ix__geo_place_at(c, last, x[k], false, &a) ||
         !ix__geo_place_at(c, next, x[k], false, &b))
         return IX_GEO_SINGULAR;
     ix__cross3(a.tangent, b.tangent, turn);
@@ -256,7 +259,7 @@ static ix_status follow(trace *r, const double start[3], ix_geo_stop *stop)
                                      .project = project,
                                      .ud = r,
                                      /* steps end on the curve anyway */
-                                     .tol = 1e-9,
+                                     .tol = 1e-6,
                                      .max_step = 0.25};
     double x[3] = {start[0], start[1], start[2]}, l = 0;
     ix__ode *ode;
@@ -340,8 +343,10 @@ static ix_status miss_at(trace *r, const ix__geo_sample *a, double *miss)
         ix__geo_shot shot;
         ix__geo_jet j;
 
-        IX_TRY(ix__geo_shoot(g, &g->c[k], a->cell[2 + k], a->state[k],
-                             r->m.side[k] * a->state[2], &way, &shot));
+        r->m.span[k] = a->cell[2 + k];
+        IX_TRY(ix__geo_shoot(
+            g, &g->c[k], ix__medial_span(&r->m, k, a->state[k]), a->state[k],
+            r->m.side[k] * a->state[2], &way, &shot));
         if (!ix__geo_eval(&g->s, shot.cell, shot.q[0], shot.q[1], 0, j))
             return IX_OK;
         memcpy(p[k], j[0], sizeof p[k]);

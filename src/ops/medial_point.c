@@ -77,6 +77,15 @@ static bool equations(const ix__medial *m, ix__medial_point *p)
     return true;
 }
 
+int ix__medial_span(const ix__medial *m, int k, double t)
+{
+    const ix__geo_crv *c = &m->g->c[k];
+    const int *group = c->group[m->span[k]];
+    int span = ix__geo_crv_span(c, t);
+
+    return span < group[0] ? group[0] : span >= group[1] ? group[1] - 1 : span;
+}
+
 ix_status ix__medial_eval(ix__medial *m, const double x[3],
                           ix__medial_point *out, bool *ok)
 {
@@ -88,8 +97,8 @@ ix_status ix__medial_eval(ix__medial *m, const double x[3],
         if (!isfinite(x[i]))
             return IX_OK;
     for (int i = 0; i < 2; i++) {
-        IX_TRY(ix__geo_shoot(m->g, &m->g->c[i], m->span[i], x[i],
-                             m->side[i] * x[2], &way, &out->shot[i]));
+        IX_TRY(ix__geo_shoot(m->g, &m->g->c[i], ix__medial_span(m, i, x[i]),
+                             x[i], m->side[i] * x[2], &way, &out->shot[i]));
         if (out->shot[i].stop != IX_GEO_END) {
             m->why = out->shot[i].stop;
             return IX_OK;
