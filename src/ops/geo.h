@@ -93,6 +93,8 @@ typedef struct {
     ix__geo_cell *cell; /* of each span */
     int (*group)[2];    /* of each span: the first span, and the one after the
                            last, between breaks at which curvatures jump */
+    int *cont;          /* [nspans + 1] at the breaks, -1 at the ends */
+    int pieces;         /* polynomials; spans are more */
     double lo, len;
     const ix__geo_srf *s;
 } ix__geo_crv;
@@ -114,6 +116,12 @@ ix_status ix__geo_crv_open(ix_ctx *ctx, const ix__geo_srf *s, const ix_mv *crv,
                            const char *what, ix__geo_crv *out,
                            ix_mv **keep) IX_MUST_CHECK;
 int ix__geo_crv_span(const ix__geo_crv *c, double t);
+/* The same, but between two breaks lo and hi when t is one of them. */
+int ix__geo_crv_span_in(const ix__geo_crv *c, double t, double lo, double hi);
+/* The ends, and the breaks between which results are smooth enough for pieces
+ * of degree 5; scratch. */
+ix_status ix__geo_crv_rough(ix_ctx *ctx, const ix__geo_crv *c, int *n,
+                            double **out) IX_MUST_CHECK;
 /* By the polynomial of a span; false: no normal, or C' = 0. third: dkg too. */
 bool ix__geo_place_at(const ix__geo_crv *c, int span, double t, bool third,
                       ix__geo_place *out);

@@ -12,6 +12,10 @@
 #include "mv/mv.h"
 #include "ops/geo.h"
 
+/* Below this continuity of curve and surface results are cut: pieces of degree
+ * 5 would not fit well over it. */
+enum { ROUGH = 4 };
+
 /* Exponents of u and v of the derivatives of a jet. */
 static const int deriv[IX_GEO_NJET][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 0},
                                           {1, 1}, {0, 2}, {3, 0}, {2, 1},
@@ -437,7 +441,7 @@ static ix_status check_inside(ix_ctx *ctx, const ix__geo_crv *c,
 
 typedef struct {
     double t;
-    bool jump; /* of curvatures */
+    int cont;
 } cut;
 
 /* Appends to x[*n] the parameters where coordinate d of the curve is at a knot
@@ -459,7 +463,7 @@ static ix_status add_crossings(ix_ctx *ctx, const ix__geo_crv *c, int d,
         for (int k = 0; k < found && *n < room; k++)
             if (roots[k].kind != IX_ROOT_INTERVAL)
                 x[(*n)++] = (cut){(roots[k].t - c->lo) / c->len,
-                                  s->d[d].cont[i - 1] < 2};
+                                  s->d[d].cont[i - 1]};
         ix_roots_free(ctx, roots, found);
     }
     return IX_OK;
@@ -488,7 +492,8 @@ static int join_cuts(int n, cut *x)
         if (apart && (x[i].t == 1 || 1 - x[i].t > 1e-9))
             x[kept++] = x[i];
         else if (!apart)
-            x[kept - 1].jump |= x[i].jump;
+            x[kept - 1].cont = x[i].cont < x[kept - 1].cont ? x[i].cont
+                                                            : x[kept - 1].cont;
     }
     return kept;
 }
@@ -502,6 +507,8 @@ static ix_status set_spans(ix_ctx *ctx, ix__geo_crv *c, int n, const cut *x)
     IX_SCRATCH(ctx, c->d.first, n);
     IX_SCRATCH(ctx, c->cell, n);
     IX_SCRATCH(ctx, c->group, n);
+    IX_SCRATCH(ctx, c->cont, n + 1);
+    c->cont[0] = -1;
     c->d.breaks[0] = x[0].t;
     for (int i = 0; i < n; i++) {
         double mid = c->lo + c->len * 0.5 * (x[i].t + x[i + 1].t), uv[2];
@@ -512,7 +519,8 @@ static ix_status set_spans(ix_ctx *ctx, ix__geo_crv *c, int n, const cut *x)
         IX_TRY(ix_mv_point(ctx, c->mv, &mid, uv));
         c->cell[i] = ix__geo_cell_of(c->s, (uv[0] - c->s->lo[0]) / c->s->len[0],
                                      (uv[1] - c->s->lo[1]) / c->s->len[1]);
-        if (i < n - 1 && !x[i + 1].jump)
+        c->cont[i + 1] = x[i + 1].cont;
+        if (x[i + 1].cont >= 2)
             continue;
         for (; from <= i; from++)
             c->group[from][1] = i + 1;
@@ -530,7 +538,7 @@ static ix_status cut_spans(ix_ctx *ctx, ix__geo_crv *c)
     IX_SCRATCH(ctx, x, room);
     for (int i = 0; i < n; i++)
         x[i] = (cut){c->d.breaks[i],
-                     i > 0 && i < n - 1 && c->d.cont[i - 1] < 2};
+                     i > 0 && i < n - 1 ? c->d.cont[i - 1] : -1};
     for (int d = 0; d < 2; d++)
         IX_TRY(add_crossings(ctx, c, d, room, x, &n));
     sort_cuts(n, x);
@@ -566,6 +574,7 @@ ix_status ix__geo_crv_open(ix_ctx *ctx, const ix__geo_srf *s, const ix_mv *crv,
     *out = (ix__geo_crv){
         .mv = flat, .lo = dom[0], .len = dom[1] - dom[0], .s = s};
     IX_TRY(open_dir(ctx, flat->dirs, out->lo, out->len, &out->d));
+    out->pieces = out->d.nspans;
     IX_TRY(check_inside(ctx, out, what));
     return cut_spans(ctx, out);
 }
@@ -573,6 +582,32 @@ ix_status ix__geo_crv_open(ix_ctx *ctx, const ix__geo_srf *s, const ix_mv *crv,
 int ix__geo_crv_span(const ix__geo_crv *c, double t)
 {
     return span_of(&c->d, t);
+}
+
+int ix__geo_crv_span_in(const ix__geo_crv *c, double t, double lo, double hi)
+{
+    int span = ix__geo_crv_span(c, t);
+
+    while (span > 0 && c->d.breaks[span] >= hi)
+        span--;
+    while (span < c->d.nspans - 1 && c->d.breaks[span + 1] <= lo)
+        span++;
+    return span;
+}
+
+ix_status ix__geo_crv_rough(ix_ctx *ctx, const ix__geo_crv *c, int *n,
+                            double **out)
+{
+    double *t;
+    int k = 0;
+
+    IX_SCRATCH(ctx, t, c->d.nspans + 1);
+    for (int i = 0; i <= c->d.nspans; i++)
+        if (c->cont[i] < ROUGH)
+            t[k++] = c->d.breaks[i];
+    *out = t;
+    *n = k;
+    return IX_OK;
 }
 
 /* u and v with derivatives through the third: x[k][2], scaled. */

@@ -54,15 +54,15 @@ static void distance_at(const offset *o, double t, double mid, double d[2])
            o->g->s.size;
 }
 
-static ix_status shoot(const offset *o, double t, double mid,
+static ix_status shoot(const offset *o, double t, double lo, double hi,
                        ix__geo_shot *shot, double d[2])
 {
     const ix__geo_way way = {0};
     const ix__geo_crv *c = &o->g->c[0];
 
-    distance_at(o, t, mid, d);
-    return ix__geo_shoot(o->g, c, ix__geo_crv_span(c, mid), t, d[0], &way,
-                         shot);
+    distance_at(o, t, 0.5 * (lo + hi), d);
+    return ix__geo_shoot(o->g, c, ix__geo_crv_span_in(c, t, lo, hi), t, d[0],
+                         &way, shot);
 }
 
 static ix_status sample(void *ud, double t, double lo, double hi,
@@ -72,7 +72,7 @@ static ix_status sample(void *ud, double t, double lo, double hi,
     ix__geo_shot shot;
     double d[2], duv[2];
 
-    IX_TRY(shoot(o, t, 0.5 * (lo + hi), &shot, d));
+    IX_TRY(shoot(o, t, lo, hi, &shot, d));
     *ok = shot.stop == IX_GEO_END;
     *why = shot.stop;
     if (!*ok)
@@ -147,21 +147,22 @@ static ix_status all_breaks(const offset *o, int *n, const double **out)
 {
     const ix__geo_crv *c = &o->g->c[0];
     ix_spans v = {.nspans = 0};
-    double *t;
-    int a = 0, b = 1, k = 0;
+    double *t, *rough;
+    int count, a = 0, b = 1, k = 0;
 
+    IX_TRY(ix__geo_crv_rough(o->g->ctx, c, &count, &rough));
     if (o->variable)
         IX_TRY(ix__spans_of(o->g->ctx, o->variable->dirs, &v));
-    IX_SCRATCH(o->g->ctx, t, c->d.nspans + v.nspans + 1);
-    while (a <= c->d.nspans) {
+    IX_SCRATCH(o->g->ctx, t, count + v.nspans);
+    while (a < count) {
         double x = b < v.nspans ? (v.breaks[b] - c->lo) / c->len : HUGE_VAL;
 
-        if (x < c->d.breaks[a] - 1e-9) {
+        if (x < rough[a] - 1e-9) {
             t[k++] = x;
             b++;
         } else {
-            b += fabs(x - c->d.breaks[a]) <= 1e-9;
-            t[k++] = c->d.breaks[a++];
+            b += fabs(x - rough[a]) <= 1e-9;
+            t[k++] = rough[a++];
         }
     }
     *out = t;
@@ -185,7 +186,7 @@ static ix_status refine_cusp(const offset *o, const double a[2],
         ix__geo_shot shot;
         double d[2];
 
-        IX_TRY(shoot(o, t, 0.5 * (a[0] + b[0]), &shot, d));
+        IX_TRY(shoot(o, t, a[0], b[0], &shot, d));
         if (shot.q[4] == 0 || t <= lo || t >= hi) {
             lo = hi = t;
         } else if ((shot.q[4] > 0) == (ylo > 0)) {

@@ -8,7 +8,8 @@
 #include "ops/medial.h"
 
 enum {
-    PER_SPAN = 32, /* geodesics of the net, and one more */
+    ROWS = 32,     /* geodesics of the net, and one more */
+    MORE_ROWS = 8, /* for each further polynomial of the border */
     STEPS = 96,    /* of a geodesic, up to the reach */
     MEETINGS = 1000
 };
@@ -220,10 +221,10 @@ static ix_status search(ix__medial *m, int k, double t, const net *w,
 ix_status ix__medial_ends(ix__medial *m, ix__medial_seeds *out)
 {
     for (int k = 0; k < 2; k++) {
+        int rows = ROWS + MORE_ROWS * (m->g->c[1 - k].pieces - 1);
         net w;
 
-        IX_TRY(
-            make_net(m, 1 - k, PER_SPAN * m->g->c[1 - k].d.nspans + 1, 0, &w));
+        IX_TRY(make_net(m, 1 - k, rows + 1, 0, &w));
         for (int end = 0; end < 2; end++)
             IX_TRY(search(m, k, end, &w, out));
     }

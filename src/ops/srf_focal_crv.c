@@ -15,7 +15,7 @@ enum { MEASURED = 12 }; /* steps over which the integral of ds/dt is compared */
 typedef struct {
     ix__geo *g;
     double side;
-    int span; /* while ds/dt is integrated */
+    double lo, hi; /* while ds/dt is integrated */
     ix_status st;
 } focal;
 
@@ -31,7 +31,7 @@ static ix_status sample(void *ud, double t, double lo, double hi,
     ix__geo_shot shot;
     double slope, duv[2];
 
-    IX_TRY(ix__geo_shoot(f->g, c, ix__geo_crv_span(c, 0.5 * (lo + hi)), t,
+    IX_TRY(ix__geo_shoot(f->g, c, ix__geo_crv_span_in(c, t, lo, hi), t,
                          f->side * f->g->reach, &way, &shot));
     *ok = shot.stop == IX_GEO_FOCAL;
     *why = shot.stop == IX_GEO_END ? IX_GEO_REACH : shot.stop;
@@ -66,11 +66,12 @@ static bool slope_at(void *ud, double t, const double *s, double *ds)
 {
     const ix__geo_way way = {.variation = true, .margin = true};
     focal *f = ud;
+    const ix__geo_crv *c = &f->g->c[0];
     ix__geo_shot shot;
 
     if (f->st == IX_OK)
-        f->st = ix__geo_shoot(f->g, &f->g->c[0], f->span, t, f->side * s[0],
-                              &way, &shot);
+        f->st = ix__geo_shoot(f->g, c, ix__geo_crv_span_in(c, t, f->lo, f->hi),
+                              t, f->side * s[0], &way, &shot);
     if (f->st != IX_OK || shot.stop != IX_GEO_END)
         return false;
     ds[0] = -shot.q[6] / shot.q[5];
@@ -85,7 +86,8 @@ static ix_status integrate(focal *f, ix__ode *ode, const ix__geo_sample *a,
     ix__ode_result result;
     int event;
 
-    f->span = ix__geo_crv_span(&f->g->c[0], 0.5 * (t + b->state[AT_T]));
+    f->lo = t;
+    f->hi = b->state[AT_T];
     IX_TRY(ix__ode_start(ode, t, &s, b->state[AT_T]));
     IX_TRY(ix__ode_run(ode, &t, &s, &event, &result));
     IX_TRY(f->st);
@@ -136,13 +138,15 @@ static ix_status focal_crv(ix__geo *g, int side, ix__geo_found *found)
                                  .row = row,
                                  .nrow = 5,
                                  .ud = &f};
+    double *breaks;
+    int n;
 
     if (side != 1 && side != -1)
         return IX_FAIL(g->ctx, IX_EARG,
                        "side %d: 1 is the left one of the curve, -1 the right",
                        side);
-    return ix__geo_along_run(&along, g->c[0].d.nspans + 1, g->c[0].d.breaks,
-                             found);
+    IX_TRY(ix__geo_crv_rough(g->ctx, &g->c[0], &n, &breaks));
+    return ix__geo_along_run(&along, n, breaks, found);
 }
 
 static ix_status open_focal(ix_ctx *ctx, const ix_geo_surface *s,
