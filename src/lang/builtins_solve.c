@@ -163,38 +163,132 @@ static ix_status solution_list(ix_call *c, const ix_solutions *s)
     return ix__ret_list(c, list, st);
 }
 
+/* What a search left open, in words for a remark; NULL: nothing. */
+static const char *open_reason(bool complete, bool interrupted, bool crowded)
+{
+    if (interrupted)
+        return "interrupted";
+    if (crowded)
+        return "the equations have more zeros in common than their number "
+               "lets expect, or nearly";
+    return complete ? NULL : "too many boxes";
+}
+
+static void remark_solutions(ix_call *c, const ix_solutions *s)
+{
+    const char *why = open_reason(s->complete, s->interrupted, s->crowded);
+    int open = 0;
+
+    for (int i = 0; i < s->n; i++)
+        open += !s->sol[i].certified;
+    if (why)
+        ix__remark(c->in,
+                   "stopped after %zu boxes (%s): %d open ones, with SingleSol "
+                   "0, hold all other zeros",
+                   s->boxes, why, open);
+}
+
+static void remark_curves(ix_call *c, const ix_solution_curves *s)
+{
+    const char *why = open_reason(s->complete, s->interrupted, s->crowded);
+
+    if (why)
+        ix__remark(c->in,
+                   "stopped after %zu boxes (%s): curves may be missing in %d "
+                   "open ones",
+                   s->boxes, why, s->nsingular);
+}
+
+/* The longest edge of the domain, in whose parts the solver counts. */
+static double longest_edge(const ix_mv *f)
+{
+    double edge = 0, dom[2];
+
+    for (int d = 0; d < f->ndirs; d++) {
+        ix_mv_domain(f, d, dom);
+        edge = fmax(edge, dom[1] - dom[0]);
+    }
+    return edge;
+}
+
+static ix_status add_vertex(ix_call *c, ix_obj *list, const double *x, int n)
+{
+    ix_solution p = {.certified = true};
+
+    memcpy(p.x, x, (size_t)n * sizeof *p.x);
+    return ix__list_add(c->ctx, list, solution_object(c->ctx, &p, n));
+}
+
 /* Fewer equations by one than unknowns: the vertices of the solution curves,
- * as many as cells of the asked size would give. */
+ * as many as cells of the asked size would give, and points that are by
+ * themselves. */
 static ix_status curve_points(ix_call *c, int n, const ix_equation *eq,
                               double cell)
 {
-    ix_curves_opts o = {.tol = fmin(cell * cell, 1e-2)};
+    double part = cell / longest_edge(eq[0].f);
+    ix_curves_opts o = {.tol = fmin(part * part, 1e-2), .keep = true};
     ix_solution_curves s;
     ix_obj *list;
     ix_status st;
 
     IX_TRY(ix_solve_curves(c->ctx, n, eq, &o, &s));
-    if (!s.complete)
-        ix__remark(c->in, "stopped after %zu boxes: curves may be missing",
-                   s.boxes);
+    remark_curves(c, &s);
     list = ix__obj_list(c->ctx);
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; i < s.ncurves; i++)
-        for (int k = 0; st == IX_OK && k < s.curve[i].n; k++) {
-            ix_solution p = {.certified = true};
-
-            memcpy(p.x, s.curve[i].x + (size_t)k * (size_t)s.unknowns,
-                   (size_t)s.unknowns * sizeof *p.x);
-            st = ix__list_add(c->ctx, list,
-                              solution_object(c->ctx, &p, s.unknowns));
-        }
+        for (int k = 0; st == IX_OK && k < s.curve[i].n; k++)
+            st = add_vertex(c, list,
+                            s.curve[i].x + (size_t)k * (size_t)s.unknowns,
+                            s.unknowns);
+    for (int i = 0; st == IX_OK && i < s.nsingular; i++)
+        if (s.arcs[i] == 0)
+            st = ix__list_add(
+                c->ctx, list,
+                solution_object(c->ctx, &s.singular[i], s.unknowns));
     ix_solution_curves_free(c->ctx, &s);
     return ix__ret_list(c, list, st);
 }
 
+/* An open box wider than the size that was asked for is no point. */
+static bool is_wide(const ix_solution *s, int n, double subdiv)
+{
+    bool wide = false;
+
+    for (int k = 0; k < n; k++)
+        wide |= s->hi[k] - s->lo[k] > subdiv;
+    return wide && !s->certified;
+}
+
+/* A negative numeric tolerance: points that are not proven and miss it go. */
+static void purge(ix_solutions *s, double subdiv, double numer)
+{
+    int k = 0;
+
+    for (int i = 0; i < s->n; i++)
+        if (s->sol[i].certified || is_wide(&s->sol[i], s->unknowns, subdiv) ||
+            s->sol[i].residual <= -numer)
+            s->sol[k++] = s->sol[i];
+    s->n = k;
+}
+
+static void remark_wide(ix_call *c, const ix_solutions *s, double subdiv)
+{
+    int wide = 0;
+
+    for (int i = 0; i < s->n; i++)
+        wide += is_wide(&s->sol[i], s->unknowns, subdiv);
+    if (wide && s->complete)
+        ix__remark(
+            c->in,
+            "%d of the zeros %s an open box wider than %g: some equation "
+            "holds everywhere, or nearly",
+            wide, wide == 1 ? "stands for" : "stand each for", subdiv);
+}
+
 static ix_status mzero(ix_call *c)
 {
-    double subdiv = ix__arg_num(c, 1);
+    const ix_solve_opts o = {.keep = true};
+    double subdiv = ix__arg_num(c, 1), numer = ix__arg_num(c, 2);
     ix_solutions s;
     ix_equation *eq;
     ix_status st;
@@ -213,10 +307,11 @@ static ix_status mzero(ix_call *c)
                            "%d equations in %d unknowns: their zeros are not "
                            "points or curves; %d or more are wanted",
                            n, eq[0].f->ndirs, eq[0].f->ndirs - 1);
-    IX_TRY(ix_solve(c->ctx, n, eq, NULL, &s));
-    if (!s.complete)
-        ix__remark(c->in, "stopped after %zu boxes: solutions may be missing",
-                   s.boxes);
+    IX_TRY(ix_solve(c->ctx, n, eq, &o, &s));
+    remark_solutions(c, &s);
+    remark_wide(c, &s, subdiv);
+    if (numer < 0)
+        purge(&s, subdiv, numer);
     st = solution_list(c, &s);
     ix_solutions_free(c->ctx, &s);
     return st;
@@ -247,8 +342,8 @@ static ix_status curves_poly(ix_call *c, const ix_solution_curves *s)
 
 static ix_status munivzero(ix_call *c)
 {
+    ix_curves_opts o = {.keep = true};
     double step = ix__arg_num(c, 1);
-    ix_curves_opts o = {.tol = 0};
     ix_solution_curves s;
     ix_equation *eq;
     ix_status st;
@@ -257,12 +352,16 @@ static ix_status munivzero(ix_call *c)
     IX_TRY(arg_equations(c, 0, &n, &eq));
     if (!(step > 0))
         return IX_ARG_FAIL(c, 1, "a step of %g; it must be positive", step);
+    if (n != eq[0].f->ndirs - 1)
+        return IX_ARG_FAIL(c, 0,
+                           "%d equations in %d unknowns: curves need %d; "
+                           "MZERO finds points",
+                           n, eq[0].f->ndirs, eq[0].f->ndirs - 1);
     /* chords of that length on a circle as large as the domain */
+    step /= longest_edge(eq[0].f);
     o.tol = fmin(step * step / 8, 1e-2);
     IX_TRY(ix_solve_curves(c->ctx, n, eq, &o, &s));
-    if (!s.complete)
-        ix__remark(c->in, "stopped after %zu boxes: curves may be missing",
-                   s.boxes);
+    remark_curves(c, &s);
     st = s.ncurves ? curves_poly(c, &s) : IX_OK;
     ix_solution_curves_free(c->ctx, &s);
     return st;
@@ -279,16 +378,24 @@ const ix_builtin ix__builtins_solve[] = {
      "where it is so there); eps is not needed.",
      "l = cextremes(circle(vector(0, 0, 0), 1), 1e-5, 2);", cextremes, 0, 9},
     {"MZERO", "mvs:list subdiv:num numer:num -> list",
-     "All common zeros of scalar multivariates, as control points of their "
-     "parameters; SingleSol 1 marks a solution that is proven to exist and to "
-     "be the only one near.",
+     "All common zeros of scalar multivariates (of fractions: of their "
+     "numerators), as control points of their parameters. SingleSol 1 marks a "
+     "solution that is proven to exist and to be the only one near; RngError "
+     "is the largest value of an equation there over its largest coefficient. "
+     "With numer < 0, points that are not proven and have a larger RngError "
+     "than that are left out. Fewer equations by one than unknowns: points of "
+     "the "
+     "solution curves, about subdiv apart. An interruption keeps what is "
+     "found.",
      "m1 = mbezier(list(2, 2), list(ctlpt(E1, -1), ctlpt(E1, 1), "
      "ctlpt(E1, -1), ctlpt(E1, 1))); m2 = mreverse(m1, 0, 1); "
      "z = mzero(list(m1, m2), 0.01, -1e-10);",
      mzero, IX_B_SOFT, 22},
     {"MUNIVZERO", "mvs:list step:num subdiv:num numer:num -> poly",
      "The solution curves of n - 1 equations in n unknowns as polylines of "
-     "their first three parameters; no value if there is none.",
+     "their first three parameters, with chords of about step; no value if "
+     "there is none. subdiv and numer are not needed. An interruption keeps "
+     "what is found.",
      "f = mbezier(list(2, 2), list(ctlpt(E1, -1), ctlpt(E1, 0), "
      "ctlpt(E1, 0), ctlpt(E1, 1))); o = munivzero(list(f), 0.01, 0.01, 1e-8);",
      munivzero, IX_B_SOFT, 22},
