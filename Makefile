@@ -60,6 +60,7 @@ TEST_LIBS   := -lcmocka $(if $(FLINT),-lflint -lgmp)
 PKG_CPPFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKGS)))
 # WITH_CAIRO=0 leaves the drawing module out.
 WITH_CAIRO  ?= 1
+export WITH_CAIRO
 CAIRO       := $(if $(filter 1,$(WITH_CAIRO)),cairo)
 LIBS         := $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)

@@ -89,13 +89,15 @@ def in_parallel(function, items):
 
 
 # What a test returns in place of a problem when the build cannot run it.
-LEFT_OUT = 'built without SUNDIALS'
+LEFT_OUT = 'built without a library that it needs'
+NEEDS = {'WITH_SUNDIALS': r'\b(geodesic|geodnrml|geodoffset|medialcrv|srffocalcrv)\s*\(',
+         'WITH_CAIRO': r'\bsave\s*\([^;]*\.(svg|png|pdf)"'}
 
 
 def left_out(text):
-    """Does a script need SUNDIALS in a build that has none (WITH_SUNDIALS=0)?"""
-    return os.environ.get('WITH_SUNDIALS') == '0' and re.search(
-        r'\b(geodesic|geodnrml|geodoffset|medialcrv|srffocalcrv)\s*\(', text, re.I)
+    """Does a script need a library that the build has not (WITH_CAIRO=0 ...)?"""
+    return any(os.environ.get(option) == '0' and re.search(pattern, text, re.I)
+               for option, pattern in NEEDS.items())
 
 
 class Report:
