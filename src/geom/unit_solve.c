@@ -1,6 +1,8 @@
 /* unit_solve.c - see the header. */
 #include "geom/unit_solve.h"
 
+#include <stdint.h>
+
 const ix_mv *ix__pool_unit(ix_pool *q, const ix_mv *m)
 {
     for (int d = 0; q->st == IX_OK && d < m->ndirs; d++) {
@@ -39,6 +41,14 @@ static void to_domains(const double (*dom)[2], ix_solutions *out)
         }
 }
 
+static ix_status holds_everywhere(ix_ctx *ctx, int i)
+{
+    return IX_FAIL(ctx, IX_EDOMAIN,
+                   "condition %d holds everywhere: there are infinitely many "
+                   "solutions",
+                   i + 1);
+}
+
 ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
                          const double (*dom)[2], const ix_solve_opts *o,
                          ix_solutions *out)
@@ -49,10 +59,7 @@ ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
     *out = (ix_solutions){.n = 0};
     for (int i = 0; st == IX_OK && i < neq; i++) {
         if (!f[i])
-            st = IX_FAIL(q->ctx, IX_EDOMAIN,
-                         "condition %d holds everywhere: there are infinitely "
-                         "many solutions",
-                         i + 1);
+            st = holds_everywhere(q->ctx, i);
         eq[i] = (ix_equation){.f = f[i], .rel = IX_EQUAL_ZERO};
     }
     if (st == IX_OK)
@@ -60,5 +67,40 @@ ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
     ix__pool_free(q);
     if (st == IX_OK)
         to_domains(dom, out);
+    return st;
+}
+
+static void curves_to_domains(const double (*dom)[2], ix_solution_curves *out)
+{
+    for (int i = 0; i < out->ncurves; i++) {
+        /* the block is ours until it is returned */
+        double *x = (double *)(uintptr_t)out->curve[i].x;
+
+        for (int v = 0; v < out->curve[i].n * out->unknowns; v++) {
+            const double *d = dom[v % out->unknowns];
+
+            x[v] = x[v] >= 1 ? d[1] : d[0] + x[v] * (d[1] - d[0]);
+        }
+    }
+}
+
+ix_status ix__unit_curves(ix_pool *q, int neq, const ix_mv *const *f,
+                          const double (*dom)[2], const ix_curves_opts *o,
+                          ix_solution_curves *out)
+{
+    ix_equation eq[3 * IX_MAX_UNKNOWNS];
+    ix_status st = q->st;
+
+    *out = (ix_solution_curves){.unknowns = 0};
+    for (int i = 0; st == IX_OK && i < neq; i++) {
+        if (!f[i])
+            st = holds_everywhere(q->ctx, i);
+        eq[i] = (ix_equation){.f = f[i], .rel = IX_EQUAL_ZERO};
+    }
+    if (st == IX_OK)
+        st = ix_solve_curves(q->ctx, neq, eq, o, out);
+    ix__pool_free(q);
+    if (st == IX_OK)
+        curves_to_domains(dom, out);
     return st;
 }

@@ -18,4 +18,10 @@ ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
                          const double (*dom)[2], const ix_solve_opts *o,
                          ix_solutions *out) IX_MUST_CHECK;
 
+/* The same for unknowns - 1 equations: curves; their vertices are in dom, what
+ * is singular stays in [0, 1]. */
+ix_status ix__unit_curves(ix_pool *q, int neq, const ix_mv *const *f,
+                          const double (*dom)[2], const ix_curves_opts *o,
+                          ix_solution_curves *out) IX_MUST_CHECK;
+
 #endif

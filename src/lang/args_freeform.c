@@ -290,6 +290,23 @@ ix_status ix__ret_vector(ix_call *c, const double v[3])
     return ix__ret(c, ix__obj_vector(c->ctx, v));
 }
 
+ix_status ix__polyline_curve(ix_call *c, int n, int ncoords, const double *pts,
+                             ix_obj **out)
+{
+    double *kv;
+    ix_dir d;
+    ix_mv *crv;
+
+    *out = NULL;
+    IX_SCRATCH(c->ctx, kv, n + 2);
+    for (int i = 0; i < n + 2; i++)
+        kv[i] = i < 1 ? 0 : i > n ? n - 1 : i - 1;
+    d = (ix_dir){.basis = IX_BSPLINE, .order = 2, .length = n, .knots = kv};
+    IX_TRY(ix_mv_new(c->ctx, 1, &d, ncoords, false, pts, &crv));
+    *out = ix__obj_mv(c->ctx, IX_OBJ_CURVE, crv);
+    return *out ? IX_OK : IX_ENOMEM;
+}
+
 ix_status ix__ret_lines(ix_call *c, const ix_lines *l, ix_poly_kind kind)
 {
     ix_poly *p = ix__poly_new(c->ctx, l->n);

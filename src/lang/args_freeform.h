@@ -70,6 +70,9 @@ ix_status ix__ret_ctlpt(ix_call *c, int ncoords, bool rational,
 /* The trimming curves as a list, in the parameter plane or on the surface. */
 ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t,
                               bool param) IX_MUST_CHECK;
+/* The B-spline curve of order 2 through points double[ncoords][n], n >= 2. */
+ix_status ix__polyline_curve(ix_call *c, int n, int ncoords, const double *pts,
+                             ix_obj **out) IX_MUST_CHECK;
 /* Lines, or polygons, as one object. */
 ix_status ix__ret_lines(ix_call *c, const ix_lines *l,
                         ix_poly_kind kind) IX_MUST_CHECK;

@@ -86,6 +86,8 @@ extern const ix_builtin ix__builtins_enclose[];
 extern const ix_builtin ix__builtins_touch[];
 extern const ix_builtin ix__builtins_text[];
 extern const ix_builtin ix__builtins_solid[];   /* and other outsiders */
+extern const ix_builtin ix__builtins_contact[];
+extern const ix_builtin ix__builtins_solid[]; /* and other outsiders */
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 
 /* --- helpers for primitives --------------------------------------------------

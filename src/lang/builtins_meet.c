@@ -353,14 +353,9 @@ static ix_status line_curve(ix_call *c, const ix_solution_curve *k,
                             const ix_mv *m, int first, ix_obj **out)
 {
     int nc = m ? 3 : 2, n = k->n;
-    double *kv, *pts;
-    ix_dir d;
-    ix_mv *crv;
+    double *pts;
 
-    IX_SCRATCH(c->ctx, kv, n + 2);
     IX_SCRATCH(c->ctx, pts, (size_t)nc * (size_t)n);
-    for (int i = 0; i < n + 2; i++)
-        kv[i] = i < 1 ? 0 : i > n ? n - 1 : i - 1;
     for (int i = 0; i < n; i++) {
         const double *x = k->x + (size_t)i * 4 + first;
         double p[3] = {x[0], x[1], 0};
@@ -370,10 +365,7 @@ static ix_status line_curve(ix_call *c, const ix_solution_curve *k,
         for (int e = 0; e < nc; e++)
             pts[(size_t)e * (size_t)n + (size_t)i] = p[e];
     }
-    d = (ix_dir){.basis = IX_BSPLINE, .order = 2, .length = n, .knots = kv};
-    IX_TRY(ix_mv_new(c->ctx, 1, &d, nc, false, pts, &crv));
-    *out = ix__obj_mv(c->ctx, IX_OBJ_CURVE, crv);
-    return *out ? IX_OK : IX_ENOMEM;
+    return ix__polyline_curve(c, n, nc, pts, out);
 }
 
 static ix_status curves_on(ix_call *c, const ix_solution_curves *s,
