@@ -105,6 +105,11 @@ typedef enum {
 ix_status ix_srf_revolve(ix_ctx *ctx, const ix_mv *crv, ix_turn turn,
                          ix_mv **out) IX_MUST_CHECK;
 
+/* A surface turned the same way: a trivariate, (u, v) the surface's parameters,
+ * w the rotation. Err IX_EARG as above, not two directions. */
+ix_status ix_tv_revolve(ix_ctx *ctx, const ix_mv *srf, ix_turn turn,
+                        ix_mv **out) IX_MUST_CHECK;
+
 /* The part between the angles a0 and a1 in degrees (exchanged if a0 > a1): u
  * runs over [0, t(a1 - a0)] where t is the parameter of that angle on the
  * rational circle. 360 degrees or more give the full turn.

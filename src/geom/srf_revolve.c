@@ -48,10 +48,12 @@ static ix_status tensor(ix_ctx *ctx, const turn_rows *r, const ix_mv *p,
     const double *x = ix_mv_coord(p, 0), *y = ix_mv_coord(p, 1),
                  *z = ix_mv_coord(p, 2);
     size_t n = (size_t)r->dir.length, np = p->npts;
-    ix_dir dirs[2] = {r->dir, p->dirs[0]};
+    ix_dir dirs[1 + 2] = {r->dir};
     double *q;
 
-    IX_TRY(ix__mv_alloc(ctx, 2, dirs, 3, p->rational, out));
+    for (int d = 0; d < p->ndirs; d++)
+        dirs[1 + d] = p->dirs[d];
+    IX_TRY(ix__mv_alloc(ctx, 1 + p->ndirs, dirs, 3, p->rational, out));
     q = (*out)->pts;
     memset(q, 0, (size_t)p->naxes * n * np * sizeof *q);
     if (p->rational) {
@@ -72,9 +74,6 @@ static ix_status revolve(ix_ctx *ctx, const ix_mv *crv, ix_turn turn,
 {
     turn_rows r = turn_of(turn);
 
-    if (crv->ndirs != 1)
-        return IX_FAIL(ctx, IX_EARG, "the profile has %d directions, not 1",
-                       crv->ndirs);
     if (crv->rational && !r.w)
         return IX_FAIL(ctx, IX_EARG,
                        "a rational profile has no polynomial "
@@ -91,8 +90,30 @@ ix_status ix_srf_revolve(ix_ctx *ctx, const ix_mv *crv, ix_turn turn,
     ix_status st;
 
     *out = NULL;
+    if (crv->ndirs != 1)
+        return IX_FAIL(ctx, IX_EARG, "the profile has %d directions, not 1",
+                       crv->ndirs);
     st = revolve(ctx, crv, turn, t, out);
     ix__mv_unref_all(ctx, t, 2);
+    return st;
+}
+
+ix_status ix_tv_revolve(ix_ctx *ctx, const ix_mv *srf, ix_turn turn,
+                        ix_mv **out)
+{
+    ix_mv *t[4] = {NULL};
+    ix_status st;
+
+    *out = NULL;
+    if (srf->ndirs != 2)
+        return IX_FAIL(ctx, IX_EARG, "the profile has %d directions, not 2",
+                       srf->ndirs);
+    st = revolve(ctx, srf, turn, t, &t[2]);
+    if (st == IX_OK)
+        st = ix_mv_swap_dirs(ctx, t[2], 0, 1, &t[3]);
+    if (st == IX_OK)
+        st = ix_mv_swap_dirs(ctx, t[3], 1, 2, out);
+    ix__mv_unref_all(ctx, t, 4);
     return st;
 }
 

@@ -85,6 +85,8 @@ extern const ix_builtin ix__builtins_offset[];
 extern const ix_builtin ix__builtins_enclose[];
 extern const ix_builtin ix__builtins_touch[];
 extern const ix_builtin ix__builtins_text[];
+extern const ix_builtin ix__builtins_layout[];
+extern const ix_builtin ix__builtins_volume[];
 extern const ix_builtin ix__builtins_solid[];   /* and other outsiders */
 extern const ix_builtin ix__builtins_contact[];
 extern const ix_builtin ix__builtins_solid[]; /* and other outsiders */
