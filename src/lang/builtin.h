@@ -87,7 +87,6 @@ extern const ix_builtin ix__builtins_touch[];
 extern const ix_builtin ix__builtins_text[];
 extern const ix_builtin ix__builtins_layout[];
 extern const ix_builtin ix__builtins_volume[];
-extern const ix_builtin ix__builtins_solid[];   /* and other outsiders */
 extern const ix_builtin ix__builtins_contact[];
 extern const ix_builtin ix__builtins_solid[]; /* and other outsiders */
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
