@@ -1,0 +1,421 @@
+/* builtins_planar.c - circles in triangles, belts, curves cut at their
+ * intersections, shells, points moved onto others (chapters 9, 11, 22 and 24 of
+ * spec/functions). */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geom/belt.h"
+#include "geom/pack_triangle.h"
+#include "geom/register.h"
+#include "iritx/distance.h"
+#include "iritx/geom.h"
+#include "iritx/geom_srf.h"
+#include "lang/args_freeform.h"
+#include "lang/interp.h"
+#include "mv/mv.h"
+
+/* --- circles in triangles
+ * ------------------------------------------------------ */
+
+static ix_obj *circle_object(ix_ctx *ctx, const ix__disc *d)
+{
+    const double at[3] = {d->at[0], d->at[1], 0};
+    ix_mv *crv;
+
+    if (ix_circle(ctx, at, d->radius, &crv) != IX_OK)
+        return NULL;
+    return ix__obj_mv(ctx, IX_OBJ_CURVE, crv);
+}
+
+/* n lists of count circles each. */
+static ix_status ret_circles(ix_call *c, int n, int count, const ix__disc *d)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < n; i++) {
+        ix_obj *own = ix__obj_list(c->ctx);
+
+        st = own ? IX_OK : IX_ENOMEM;
+        for (int k = 0; st == IX_OK && k < count; k++)
+            st = ix__list_add(c->ctx, own,
+                              circle_object(c->ctx, &d[i * count + k]));
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, own);
+        else
+            ix__obj_unref(c->ctx, own);
+    }
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status arg_triangle(ix_call *c, double (*p)[2])
+{
+    for (int k = 0; k < 3; k++) {
+        double q[3];
+
+        IX_TRY(ix__arg_pt3(c, k, q));
+        memcpy(p[k], q, sizeof p[k]);
+    }
+    return IX_OK;
+}
+
+static ix_status pktri3crcs(ix_call *c)
+{
+    ix__disc(*d)[3];
+    double p[3][2];
+    int n;
+
+    IX_TRY(arg_triangle(c, p));
+    IX_TRY(ix__pack_three(c->ctx, (const double(*)[2])p, ix__arg_bool(c, 3), &n,
+                          &d));
+    return ret_circles(c, n, 3, d[0]);
+}
+
+static ix_status pktri6crcs(ix_call *c)
+{
+    ix__disc(*d)[6];
+    double p[3][2];
+    int n;
+
+    IX_TRY(arg_triangle(c, p));
+    if (!ix__arg_bool(c, 3))
+        return IX_ARG_FAIL(c, 3, "six circles outside are not known here");
+    IX_TRY(ix__pack_six(c->ctx, (const double(*)[2])p, &n, &d));
+    return ret_circles(c, n, 6, d[0]);
+}
+
+/* --- belts
+ * --------------------------------------------------------------------- */
+
+static ix_status take_piece(ix_call *c, const ix_mv *piece, ix_mv **sum)
+{
+    ix_mv *next;
+    ix_status st;
+
+    if (!*sum) {
+        *sum = ix_mv_ref(piece);
+        return IX_OK;
+    }
+    st = ix_mv_merge(c->ctx, *sum, piece, 0, IX_JOIN_SHARED, &next);
+    if (st == IX_OK) {
+        ix_mv_unref(c->ctx, *sum);
+        *sum = next;
+    }
+    return st;
+}
+
+/* All pieces as one closed curve, or in a list of their own. */
+static ix_status add_belt(ix_call *c, const ix_crvs *p, bool whole,
+                          ix_obj *list)
+{
+    ix_obj *own = whole ? NULL : ix__obj_list(c->ctx);
+    ix_status st = whole || own ? IX_OK : IX_ENOMEM;
+    ix_mv *sum = NULL;
+
+    for (int i = 0; st == IX_OK && i < p->n; i++)
+        st = whole ? take_piece(c, p->crv[i], &sum)
+                   : ix__list_add(c->ctx, own,
+                                  ix__obj_mv(c->ctx, IX_OBJ_CURVE,
+                                             ix_mv_ref(p->crv[i])));
+    if (st == IX_OK)
+        return ix__list_add(
+            c->ctx, list, whole ? ix__obj_mv(c->ctx, IX_OBJ_CURVE, sum) : own);
+    ix__obj_unref(c->ctx, own);
+    ix_mv_unref(c->ctx, sum);
+    return st;
+}
+
+static ix_status add_side(ix_call *c, int n, const double (*p)[3], double grow,
+                          ix_obj *list)
+{
+    ix_crvs pieces;
+    ix_status st;
+
+    IX_TRY(ix__belt(c->ctx, n, p, grow, &pieces));
+    st = add_belt(c, &pieces, ix__arg_bool(c, 3), list);
+    ix_crvs_free(c->ctx, &pieces);
+    return st;
+}
+
+static ix_status beltcurve(ix_call *c)
+{
+    const ix_poly *in = c->argv[0]->u.poly;
+    double h = ix__arg_num(c, 1), (*p)[3];
+    int n = in->n > 0 ? in->poly[0].n : 0;
+    ix_obj *list;
+    ix_status st;
+
+    if (!(h >= 0))
+        return IX_ARG_FAIL(c, 1, "a thickness of %g", h);
+    IX_SCRATCH(c->ctx, p, n);
+    for (int i = 0; i < n; i++) { /* the belt's middle */
+        memcpy(p[i], in->poly[0].v[i].p, sizeof p[i]);
+        p[i][2] += copysign(h / 2, p[i][2]) * (p[i][2] != 0);
+    }
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int side = -1; st == IX_OK && side <= 1; side += 2)
+        st = add_side(c, n, (const double(*)[3])p, side * h / 2, list);
+    return ix__ret_list(c, list, st);
+}
+
+/* --- arrangements
+ * --------------------------------------------------------------- */
+
+/* The intersections of one curve with the others: rising parameters. */
+typedef struct {
+    int n, room;
+    double *t;
+} cuts;
+
+static ix_status add_cut(ix_call *c, cuts *k, double t)
+{
+    if (k->n == k->room) {
+        double *more;
+        int room = 2 * k->room + 8;
+
+        IX_SCRATCH(c->ctx, more, room);
+        if (k->n)
+            memcpy(more, k->t, (size_t)k->n * sizeof *more);
+        k->t = more;
+        k->room = room;
+    }
+    k->t[k->n++] = t;
+    return IX_OK;
+}
+
+static ix_status meet(ix_call *c, const ix_mv **m, int i, int j, cuts *k)
+{
+    ix_solutions s;
+    ix_status st = IX_OK;
+
+    if (i == j)
+        IX_TRY(ix_crv_self_meet(c->ctx, m[i], &s));
+    else
+        IX_TRY(ix_crv_crv_meet(c->ctx, m[i], m[j], NULL, &s));
+    if (!s.complete)
+        ix__remark(c->in, "curves %d and %d lie on each other", i + 1, j + 1);
+    for (int e = 0; st == IX_OK && e < s.n; e++) {
+        st = add_cut(c, &k[i], s.sol[e].x[0]);
+        if (st == IX_OK)
+            st = add_cut(c, &k[j], s.sol[e].x[1]);
+    }
+    ix_solutions_free(c->ctx, &s);
+    return st;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Sorted, with those that are within eps of the one before left out. */
+static void tidy(cuts *k, double eps)
+{
+    int n = 0;
+
+    if (k->n)
+        qsort(k->t, (size_t)k->n, sizeof *k->t, by_value);
+    for (int i = 0; i < k->n; i++)
+        if (n == 0 || k->t[i] - k->t[n - 1] > eps)
+            k->t[n++] = k->t[i];
+    k->n = n;
+}
+
+/* The curve with its parameters in "InterPts". */
+static ix_status add_marked(ix_call *c, const ix_mv *m, const cuts *k,
+                            ix_obj *list)
+{
+    ix_obj *o = ix__obj_mv(c->ctx, IX_OBJ_CURVE, ix_mv_ref(m));
+    ix_obj *own = ix__obj_list(c->ctx);
+    ix_status st = o && own ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < k->n; i++)
+        st = ix__list_add_num(c->ctx, own, k->t[i]);
+    if (st == IX_OK)
+        st = ix__attr_set_obj(c->ctx, &o->attrs, "InterPts", own);
+    ix__obj_unref(c->ctx, own);
+    if (st == IX_OK)
+        return ix__list_add(c->ctx, list, o);
+    ix__obj_unref(c->ctx, o);
+    return st;
+}
+
+/* The pieces between the parameters, none shorter than eps. */
+static ix_status add_pieces(ix_call *c, const ix_mv *m, const cuts *k,
+                            double eps, ix_obj *list)
+{
+    double dom[2], from;
+
+    ix_mv_domain(m, 0, dom);
+    from = dom[0];
+    for (int i = 0; i <= k->n; i++) {
+        double to = i < k->n ? k->t[i] : dom[1];
+        ix_mv *piece;
+
+        if (!(to - from > eps) || (i < k->n && !(dom[1] - to > eps)))
+            continue;
+        IX_TRY(ix_mv_region(c->ctx, m, 0, from, to, &piece));
+        IX_TRY(ix__list_add(c->ctx, list,
+                            ix__obj_mv(c->ctx, IX_OBJ_CURVE, piece)));
+        from = to;
+    }
+    return IX_OK;
+}
+
+static ix_status carrangmnt(ix_call *c)
+{
+    double eps = ix__arg_num(c, 1);
+    const ix_mv **m;
+    int n, op;
+    cuts *k;
+    ix_obj *list;
+    ix_status st;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &m));
+    IX_TRY(ix__arg_int(c, 2, 1, 4, &op));
+    if (!(eps >= 0))
+        return IX_ARG_FAIL(c, 1, "a tolerance of %g", eps);
+    if (op > 2)
+        return IX_ARG_FAIL(c, 2,
+                           "envelopes (3 and 4) are not known here; 1 marks "
+                           "and 2 cuts");
+    IX_SCRATCH(c->ctx, k, n);
+    memset(k, 0, (size_t)n * sizeof *k);
+    for (int i = 0; i < n; i++)
+        for (int j = i; j < n; j++)
+            IX_TRY(meet(c, m, i, j, k));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < n; i++) {
+        tidy(&k[i], eps);
+        st = op == 1 ? add_marked(c, m[i], &k[i], list)
+                     : add_pieces(c, m[i], &k[i], eps, list);
+    }
+    return ix__ret_list(c, list, st);
+}
+
+/* --- shells, registration
+ * -------------------------------------------------------- */
+
+static ix_status add_wall(ix_call *c, int dir, int end, ix_obj *list)
+{
+    ix_mv *crv[2] = {NULL, NULL}, *wall = NULL;
+    ix_status st = IX_OK;
+
+    for (int k = 0; st == IX_OK && k < 2; k++) {
+        const ix_mv *s = ix__arg_mv(c, k);
+        double dom[2];
+
+        ix_mv_domain(s, dir, dom);
+        st = ix_mv_fix(c->ctx, s, dir, dom[end], &crv[k]);
+    }
+    if (st == IX_OK)
+        st = ix_srf_ruled(c->ctx, crv[0], crv[1], &wall);
+    if (st == IX_OK)
+        st = ix__list_add(c->ctx, list,
+                          ix__obj_mv(c->ctx, IX_OBJ_SURFACE, wall));
+    ix_mv_unref(c->ctx, crv[0]);
+    ix_mv_unref(c->ctx, crv[1]);
+    return st;
+}
+
+static ix_status sshell(ix_call *c)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int k = 0; st == IX_OK && k < 4; k++)
+        st = add_wall(c, k / 2, k % 2, list);
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status arg_cloud(ix_call *c, int i, int *n, double (**out)[3])
+{
+    const ix_list *l = &c->argv[i]->u.list;
+
+    IX_SCRATCH(c->ctx, *out, l->n + 1);
+    *n = l->n;
+    for (int k = 0; k < l->n; k++) {
+        const ix_obj *o = l->item[k];
+
+        if (o->type != IX_OBJ_POINT && o->type != IX_OBJ_VECTOR)
+            return IX_ARG_FAIL(c, i, "element %d is a %s, not a point", k + 1,
+                               ix__obj_type_name(o->type));
+        memcpy((*out)[k], o->u.pt, sizeof(*out)[k]);
+    }
+    return IX_OK;
+}
+
+static ix_status ptregister(ix_call *c)
+{
+    bool to_srf = c->argv[1]->type == IX_OBJ_SURFACE;
+    double(*p)[3], (*q)[3] = NULL, mat[16], err;
+    int n, m = 0, iters;
+
+    IX_TRY(arg_cloud(c, 0, &n, &p));
+    if (!to_srf)
+        IX_TRY(arg_cloud(c, 1, &m, &q));
+    IX_TRY(ix__arg_int(c, 2, 1, 100000, &iters));
+    IX_TRY(ix__register(c->ctx, n, (const double(*)[3])p, m,
+                        (const double(*)[3])q, to_srf ? ix__arg_mv(c, 1) : NULL,
+                        iters, ix__arg_num(c, 3), mat, &err));
+    IX_TRY(ix__ret(c, ix__obj_matrix(c->ctx, mat)));
+    return ix__attr_set_real(c->ctx, &c->result->attrs, "Error", err);
+}
+
+/* --- table ------------------------------------------------------------- */
+
+#define TRI "point(0,0,0), point(3,0,0), point(0,2,0)"
+#define S                                                             \
+    "s = ruledsrf(ctlpt(E3,0,0,0) + ctlpt(E3,1,0,0), ctlpt(E3,0,1,0)" \
+    " + ctlpt(E3,1,1,1)); "
+
+const ix_builtin ix__builtins_planar[] = {
+    {"PKTRI3CRCS",
+     "p1:pt3 p2:pt3 p3:pt3 interior:bool subdiv:num numer:num -> list",
+     "Three circles, each touching two sides of a triangle and both others: "
+     "lists of three circles; with interior the one triple inside (Malfatti's "
+     "circles), else also those that pass each other along a side. The last "
+     "two numbers are not needed.",
+     "l = pktri3crcs(" TRI ", true, 0.01, 1e-8);", pktri3crcs, 0, 22},
+    {"PKTRI6CRCS",
+     "p1:pt3 p2:pt3 p3:pt3 interior:bool subdiv:num numer:num -> list",
+     "Six circles in a triangle like bowling pins: one in each angle, one at "
+     "each side between two of these, which touches the other two at sides; "
+     "interior must be true.",
+     "l = pktri6crcs(" TRI ", true, 0.01, 1e-8);", pktri6crcs, 0, 22},
+    {"BELTCURVE",
+     "pulleys:poly thickness:num boundingArcs:num returnCrvs:bool -> list",
+     "A closed belt of a thickness on pulleys (x, y, r), passed counter-"
+     "clockwise where r > 0, clockwise where r < 0: its left and its right "
+     "side, as closed curves, or with returnCrvs off as lists of an arc and a "
+     "line for each pulley. boundingArcs is not needed.",
+     "l = beltcurve(poly(list(point(0,0,0.5), point(3,0,0.5)), true), 0.1, 0, "
+     "true);",
+     beltcurve, 0, 11},
+    {"CARRANGMNT", "crvs:list eps:num op:num center:any -> list",
+     "Planar curves and where they cross each other and themselves, parameters "
+     "within eps counting as one: op 1 gives the curves with the list of "
+     "parameters as attribute InterPts, op 2 the pieces between them. The last "
+     "argument is not needed.",
+     "c = circle(vector(0,0,0), 1); l = carrangmnt(list(c, c * tx(1)), 1e-8, "
+     "2, 0);",
+     carrangmnt, 0, 9},
+    {"SSHELL", "s1:surface s2:surface -> list",
+     "The four ruled walls between the borders of two surfaces: at u = 0, 1, "
+     "then v = 0, 1.",
+     S "l = sshell(s, s * tz(0.1));", sshell, 0, 11},
+    {"PTREGISTER", "pts1:list pts2:list|surface iters:num eps:num -> matrix",
+     "The rigid motion that brings the points of pts1 near to those of pts2, "
+     "or to a surface, from where they are: pairs of nearest points, at most "
+     "iters times, until the root mean square distance (attribute Error) "
+     "changes by no more than eps.",
+     "l = list(point(0,0,0), point(1,0,0), point(0,2,0), point(0,0,3)); m = "
+     "ptregister(l, list(point(0.1,0,0), point(1.1,0,0), point(0.1,2,0), "
+     "point(0.1,0,3)), 20, 1e-12);",
+     ptregister, 0, 24},
+    {0}};
