@@ -23,8 +23,7 @@
 extern "C" {
 #endif
 
-/* --- surfaces --------------------------------------------------------------
- */
+/* --- surfaces ------------------------------------------------------------ */
 
 /* A surface by its derivatives at (u, v): d[k] for k = 0 .. 9 is S, S_u, S_v,
  * S_uu, S_uv, S_vv, S_uuu, S_uuv, S_uvv, S_vvv, of which those of total degree
@@ -50,8 +49,7 @@ typedef struct {
                      surface's size */
 } ix_geo_opts;
 
-/* --- results ---------------------------------------------------------------
- */
+/* --- results ------------------------------------------------------------- */
 
 typedef enum {
     IX_GEO_END,      /* the length, or the end of a curve's range: as asked */

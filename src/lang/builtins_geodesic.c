@@ -4,7 +4,7 @@
 #include "iritx/geodesic.h"
 #include "lang/args_freeform.h"
 
-/* --- results ------------------------------------------------------------- */
+/* --- results -------------------------------------------------------------- */
 
 /* Appends one of the multivariates of a curve, which is taken over. */
 static ix_status add_part(ix_call *c, ix_obj *list, ix_mv **part)
@@ -74,8 +74,7 @@ static ix_status ret_curves(ix_call *c, ix_geo_curves *g)
     return ix__ret_list(c, all, st);
 }
 
-/* --- arguments -------------------------------------------------------------
- */
+/* --- arguments ----------------------------------------------------------- */
 
 static ix_geo_surface surface_of(const ix_call *c)
 {
@@ -124,8 +123,7 @@ static ix_status numbers(ix_call *c, int i, int n, const char *what,
     return IX_OK;
 }
 
-/* --- functions ---------------------------------------------------------------
- */
+/* --- functions ----------------------------------------------------------- */
 
 static ix_status geodesic(ix_call *c)
 {
@@ -256,8 +254,7 @@ static ix_status srffocalcrv(ix_call *c)
     return ret_curves(c, &g);
 }
 
-/* --- table -------------------------------------------------------------------
- */
+/* --- table --------------------------------------------------------------- */
 
 #define BUMP                                                             \
     "s = sbezier(list(list(ctlpt(E3, 0, 0, 0), ctlpt(E3, 0, 1, 0), "     \

@@ -20,8 +20,7 @@
  * two tangents that counts as a corner. */
 #define IX_GEO_SHARP 1e-6
 
-/* --- the surface ------------------------------------------------------------
- */
+/* --- the surface --------------------------------------------------------- */
 
 enum {
     IX_GEO_S,
@@ -82,8 +81,7 @@ void ix__geo_vector(ix__geo_jet j, const double ab[2], double x[3]);
 void ix__geo_parts(ix__geo_jet j, const ix__geo_metric *m, const double x[3],
                    double ab[2]);
 
-/* --- curves on it ------------------------------------------------------------
- */
+/* --- curves on it -------------------------------------------------------- */
 
 /* A span is a piece of one polynomial of the curve within one cell of the
  * surface: there everything is analytic. */
@@ -126,8 +124,7 @@ ix_status ix__geo_crv_rough(ix_ctx *ctx, const ix__geo_crv *c, int *n,
 bool ix__geo_place_at(const ix__geo_crv *c, int span, double t, bool third,
                       ix__geo_place *out);
 
-/* --- geodesics ---------------------------------------------------------------
- */
+/* --- geodesics ----------------------------------------------------------- */
 
 /* u, v, u', v', y, y', and with variation dy/dt and its derivative. */
 typedef double ix__geo_state[IX_ODE_UNKNOWNS];
@@ -189,14 +186,18 @@ typedef struct {
 ix_status ix__geo_shoot(ix__geo *g, const ix__geo_crv *c, int span, double t,
                         double x, const ix__geo_way *w,
                         ix__geo_shot *out) IX_MUST_CHECK;
+/* Back by the other method of integration: the place on the surface, scaled,
+ * that a geodesic of the length len comes from which is in the state q; NaN
+ * where that cannot be told. */
+ix_status ix__geo_back(ix__geo *g, const double *q, const int cell[2],
+                       double len, double x[3]) IX_MUST_CHECK;
 /* Its start: q of the place. */
 void ix__geo_start(const ix__geo_place *p, double sign, double *q);
 /* E of a state: parts along S_u, S_v. */
 bool ix__geo_across(const ix__geo *g, const double *q, double side,
                     double ab[2]);
 
-/* --- results
- * ------------------------------------------------------------------ */
+/* --- results -------------------------------------------------------------- */
 
 /* A point of a curve that is traced, in the user's units. */
 typedef struct {
@@ -222,6 +223,10 @@ typedef struct {
     int n, room;
     ix__geo_sample *at;
 } ix__geo_trace;
+/* Room for one more than n items of a size in scratch: the array, perhaps
+ * moved, NULL without memory. */
+void *ix__geo_grow(ix_ctx *ctx, void *at, int n, int *room,
+                   size_t size) IX_MUST_CHECK;
 ix_status ix__geo_trace_add(ix_ctx *ctx, ix__geo_trace *t,
                             const ix__geo_sample *s) IX_MUST_CHECK;
 
@@ -249,8 +254,7 @@ ix_status ix__geo_keep(ix_ctx *ctx, ix__geo_found *f,
 ix_status ix__geo_found_end(ix_ctx *ctx, ix__geo_found *f, ix_status st,
                             ix_geo_curves *out) IX_MUST_CHECK;
 
-/* --- one point for each parameter of a curve
- * ---------------------------------- */
+/* --- one point for each parameter of a curve ------------------------------ */
 
 /* A result that has a sample for each t (scaled) of g->c[0], where it exists.
  */

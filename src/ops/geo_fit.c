@@ -13,19 +13,30 @@
 
 enum { ORDER = 6, NC = 5, PIECES = 4096, DEPTH = 30 };
 
+void *ix__geo_grow(ix_ctx *ctx, void *at, int n, int *room, size_t size)
+{
+    int more = *room ? 2 * *room : 64;
+    void *moved;
+
+    if (n < *room)
+        return at;
+    moved = ix__scratch(ctx, (size_t)more, size);
+    if (!moved)
+        return NULL;
+    if (n)
+        memcpy(moved, at, (size_t)n * size);
+    *room = more;
+    return moved;
+}
+
 ix_status ix__geo_trace_add(ix_ctx *ctx, ix__geo_trace *t,
                             const ix__geo_sample *s)
 {
-    if (t->n == t->room) {
-        ix__geo_sample *more;
-        int room = t->room ? 2 * t->room : 64;
+    void *at = ix__geo_grow(ctx, t->at, t->n, &t->room, sizeof *t->at);
 
-        IX_SCRATCH(ctx, more, room);
-        if (t->n)
-            memcpy(more, t->at, (size_t)t->n * sizeof *more);
-        t->at = more;
-        t->room = room;
-    }
+    if (!at)
+        return IX_ENOMEM;
+    t->at = at;
     t->at[t->n++] = *s;
     return IX_OK;
 }
@@ -58,8 +69,7 @@ bool ix__geo_fill(const ix__geo *g, ix__geo_cell c, const double uv[2],
     return true;
 }
 
-/* --- one piece ---------------------------------------------------------------
- */
+/* --- one piece ----------------------------------------------------------- */
 
 typedef struct {
     double x0, x1;
@@ -133,20 +143,16 @@ static double error_at(const piece *p, const ix__geo_sample *s)
 
 static ix_status keep_piece(fitter *f, const piece *p)
 {
-    if (f->n == f->room) {
-        piece *more;
-        int room = f->room ? 2 * f->room : 64;
+    void *at;
 
-        if (f->n >= PIECES)
-            return IX_FAIL(f->ctx, IX_EUNABLE,
-                           "the tolerance %g is not reached with %d pieces",
-                           f->tol, PIECES);
-        IX_SCRATCH(f->ctx, more, room);
-        if (f->n)
-            memcpy(more, f->piece, (size_t)f->n * sizeof *more);
-        f->piece = more;
-        f->room = room;
-    }
+    if (f->n >= PIECES)
+        return IX_FAIL(f->ctx, IX_EUNABLE,
+                       "the tolerance %g is not reached with %d pieces", f->tol,
+                       PIECES);
+    at = ix__geo_grow(f->ctx, f->piece, f->n, &f->room, sizeof *f->piece);
+    if (!at)
+        return IX_ENOMEM;
+    f->piece = at;
     f->piece[f->n++] = *p;
     return IX_OK;
 }
@@ -197,8 +203,7 @@ static ix_status fit_between(fitter *f, const ix__geo_sample *a,
     return ix__geo_trace_add(f->ctx, &f->done, b);
 }
 
-/* --- the spline
- * ------------------------------------------------------------------ */
+/* --- the spline ----------------------------------------------------------- */
 
 /* Control points of coordinate k, or their number. */
 static int points(const fitter *f, int k, double *out)
@@ -296,8 +301,7 @@ ix_status ix__geo_states(ix_ctx *ctx, const ix__geo_trace *t, int k,
     return ix_mv_new(ctx, 1, &dir, k, false, pts, out);
 }
 
-/* --- their ownership
- * ---------------------------------------------------------- */
+/* --- their ownership ------------------------------------------------------ */
 
 void ix_geo_curve_free(ix_ctx *ctx, ix_geo_curve *c)
 {

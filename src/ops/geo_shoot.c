@@ -18,8 +18,7 @@
 enum { NSTATE = 6, NVARIED = 8, EVENT_FOCAL = 4, NEVENTS = 5 };
 enum { MAX_CELLS = 100000 }; /* crossed by one geodesic */
 
-/* --- right side --------------------------------------------------------------
- */
+/* --- right side ---------------------------------------------------------- */
 
 /* E: the unit vector across the direction, y E = dO/dt. */
 static void across(const ix__geo_metric *m, const double *q, double side,
@@ -74,8 +73,7 @@ static bool right_side(void *ud, double s, const double *q, double *dq)
     return true;
 }
 
-/* --- events ------------------------------------------------------------------
- */
+/* --- events -------------------------------------------------------------- */
 
 /* The edges of the cell, and of the domain, in direction d. */
 static void bounds(const ix__geo *g, int d, double b[2])
@@ -109,8 +107,7 @@ static void events(void *ud, double s, const double *q, double *e)
     e[EVENT_FOCAL] = g->stop_at_focal ? q[4] : 1;
 }
 
-/* --- from cell to cell
- * --------------------------------------------------------- */
+/* --- from cell to cell ---------------------------------------------------- */
 
 /* Is there a cell beyond the edge 0 .. 3 in the domain? */
 static bool next_cell(const ix__geo *g, int edge, ix__geo_cell *c)
@@ -165,8 +162,7 @@ static bool cross(ix__geo *g, int edge, ix__geo_cell next, double *q,
     return true;
 }
 
-/* --- straight lines in a plane
- * --------------------------------------------------- */
+/* --- straight lines in a plane -------------------------------------------- */
 
 /* Newton's method for the parameters of a point of the plane near q. */
 static bool invert(const ix__geo *g, const double x[3], double *uv,
@@ -309,8 +305,7 @@ static ix_status run_straight(ix__geo *g, const ix__geo_way *w, double end,
     return IX_OK;
 }
 
-/* --- running
- * ------------------------------------------------------------------- */
+/* --- running -------------------------------------------------------------- */
 
 static ix_status integrator(ix__geo *g, const ix__geo_way *w, ix__ode **out)
 {
@@ -396,8 +391,7 @@ ix_status ix__geo_run(ix__geo *g, const ix__geo_way *w, double side, double end,
     return run_curved(g, w, end, s, q, stop);
 }
 
-/* --- from a curve
- * ---------------------------------------------------------------- */
+/* --- from a curve --------------------------------------------------------- */
 
 void ix__geo_start(const ix__geo_place *p, double sign, double *q)
 {
@@ -432,8 +426,28 @@ ix_status ix__geo_shoot(ix__geo *g, const ix__geo_crv *c, int span, double t,
     return IX_OK;
 }
 
-/* --- opening
- * ------------------------------------------------------------------- */
+ix_status ix__geo_back(ix__geo *g, const double *state, const int cell[2],
+                       double len, double x[3])
+{
+    const ix__geo_way way = {.margin = true, .check = true};
+    double s = 0;
+    ix__geo_state q;
+    ix_geo_stop stop;
+    ix__geo_jet j;
+
+    memcpy(q, state, 6 * sizeof *q);
+    q[2] = -q[2];
+    q[3] = -q[3];
+    g->cell = (ix__geo_cell){{cell[0], cell[1]}};
+    if (len > 0)
+        IX_TRY(ix__geo_run(g, &way, 1, len, &s, q, &stop));
+    x[0] = x[1] = x[2] = NAN;
+    if (ix__geo_eval(&g->s, g->cell, q[0], q[1], 0, j))
+        memcpy(x, j[IX_GEO_S], sizeof j[IX_GEO_S]);
+    return IX_OK;
+}
+
+/* --- opening -------------------------------------------------------------- */
 
 ix_status ix__geo_open(ix_ctx *ctx, const ix_geo_surface *s, int n,
                        const ix_mv *const *crvs, const ix_geo_opts *o,

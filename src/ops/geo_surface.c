@@ -25,8 +25,7 @@ static const int place[4][4] = {
     {0, 2, 5, 9}, {1, 4, 8, -1}, {3, 7, -1, -1}, {6, -1, -1, -1}};
 static const int njet[4] = {1, 3, 6, 10};
 
-/* --- opening ---------------------------------------------------------------
- */
+/* --- opening ------------------------------------------------------------- */
 
 static ix_status open_dir(ix_ctx *ctx, const ix_dir *dir, double lo, double len,
                           ix__geo_dir *out)
@@ -218,8 +217,7 @@ ix__geo_cell ix__geo_cell_of(const ix__geo_srf *s, double u, double v)
     return c;
 }
 
-/* --- derivatives ------------------------------------------------------------
- */
+/* --- derivatives --------------------------------------------------------- */
 
 /* The weights of the derivatives 0 .. n by the polynomial of a span; those of
  * higher ones are left: finite numbers that are not used. */
@@ -353,8 +351,7 @@ bool ix__geo_eval(const ix__geo_srf *s, ix__geo_cell c, double u, double v,
     return true;
 }
 
-/* --- what geodesics need of them --------------------------------------------
- */
+/* --- what geodesics need of them ----------------------------------------- */
 
 bool ix__geo_metric_of(ix__geo_jet j, ix__geo_metric *m)
 {
@@ -410,8 +407,7 @@ void ix__geo_parts(ix__geo_jet j, const ix__geo_metric *m, const double x[3],
     ab[1] = (m->e * b - m->f * a) / (m->w * m->w);
 }
 
-/* --- curves ------------------------------------------------------------------
- */
+/* --- curves -------------------------------------------------------------- */
 
 /* Inside the domain: control polygons would ask too much. */
 static ix_status check_inside(ix_ctx *ctx, const ix__geo_crv *c,

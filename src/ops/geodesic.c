@@ -6,8 +6,7 @@
 #include "geom/vec3.h"
 #include "ops/geo.h"
 
-/* --- recording
- * ---------------------------------------------------------------- */
+/* --- recording ------------------------------------------------------------ */
 
 typedef struct {
     ix__geo *g;
@@ -67,28 +66,15 @@ static ix_status mid(const void *ud, const ix__geo_sample *a,
 }
 
 /* Back from the last sample: how far the start is missed. */
-static ix_status shoot_back(record *r, double *miss)
+static ix_status shoot_back(const record *r, double *miss)
 {
-    const ix__geo_way way = {.margin = true, .check = true};
     const ix__geo_sample *first = &r->t.at[0], *last = &r->t.at[r->t.n - 1];
-    double s = 0;
-    ix__geo_state q;
-    ix_geo_stop stop;
-    ix__geo_jet j;
+    double x[3];
 
-    memcpy(q, last->state, 6 * sizeof *q);
-    q[2] = -q[2];
-    q[3] = -q[3];
-    r->g->cell = (ix__geo_cell){{last->cell[0], last->cell[1]}};
-    IX_TRY(ix__geo_run(r->g, &way, r->side, last->state[6], &s, q, &stop));
-    *miss = NAN;
-    if (ix__geo_eval(&r->g->s, r->g->cell, q[0], q[1], 0, j)) {
-        double p[3];
-
-        for (int i = 0; i < 3; i++)
-            p[i] = j[0][i] * r->g->s.size;
-        *miss = ix__dist3(p, first->p + 2);
-    }
+    IX_TRY(ix__geo_back(r->g, last->state, last->cell, last->state[6], x));
+    for (int i = 0; i < 3; i++)
+        x[i] *= r->g->s.size;
+    *miss = ix__dist3(x, first->p + 2);
     return IX_OK;
 }
 
@@ -155,8 +141,7 @@ static ix_status finish(ix__geo *g, ix_status st, ix_geo_curve *out)
     return st;
 }
 
-/* --- from a point
- * --------------------------------------------------------------- */
+/* --- from a point --------------------------------------------------------- */
 
 /* The unit direction at a point as a state with y = 0, y' = 1. */
 static ix_status start_at(ix__geo *g, const double uv[2], const double dir[2],
@@ -233,8 +218,7 @@ ix_status ix_geodesic(ix_ctx *ctx, const ix_geo_surface *s, const double uv[2],
                      open_geodesic(ctx, s, uv, dir, len, o, conjugate, out));
 }
 
-/* --- from a curve
- * ----------------------------------------------------------------- */
+/* --- from a curve --------------------------------------------------------- */
 
 static ix_status curve_parameter(ix__geo *g, double t, double *scaled)
 {

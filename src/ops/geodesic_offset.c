@@ -22,8 +22,7 @@ typedef struct {
     double *w; /* weights of its window */
 } offset;
 
-/* --- one point
- * ------------------------------------------------------------------ */
+/* --- one point ------------------------------------------------------------ */
 
 /* The distance and its derivative by the polynomial around mid, scaled. */
 static void distance_at(const offset *o, double t, double mid, double d[2])
@@ -100,29 +99,18 @@ static void row(const void *ud, const ix__geo_sample *a, double *out)
     out[4] = a->state[7] * o->g->s.size;
 }
 
-/* From O back to C by the other method of integration. */
+/* From O back to C. */
 static ix_status shoot_back(const offset *o, const ix__geo_sample *a,
                             double *miss)
 {
-    const ix__geo_way way = {.margin = true, .check = true};
-    ix__geo *g = o->g;
-    double s = 0, t = a->state[6];
-    ix__geo_state q;
-    ix_geo_stop stop;
+    const ix__geo_crv *c = &o->g->c[0];
+    double t = a->state[6], x[3];
     ix__geo_place p;
-    ix__geo_jet j;
 
-    memcpy(q, a->state, 6 * sizeof *q);
-    q[2] = -q[2];
-    q[3] = -q[3];
-    g->cell = (ix__geo_cell){{a->cell[0], a->cell[1]}};
-    if (a->state[7] != 0)
-        IX_TRY(ix__geo_run(g, &way, 1, fabs(a->state[7]), &s, q, &stop));
+    IX_TRY(ix__geo_back(o->g, a->state, a->cell, fabs(a->state[7]), x));
     *miss = NAN;
-    if (ix__geo_place_at(&g->c[0], ix__geo_crv_span(&g->c[0], t), t, false,
-                         &p) &&
-        ix__geo_eval(&g->s, g->cell, q[0], q[1], 0, j))
-        *miss = ix__dist3(p.pos, j[0]) * g->s.size;
+    if (ix__geo_place_at(c, ix__geo_crv_span(c, t), t, false, &p))
+        *miss = ix__dist3(p.pos, x) * o->g->s.size;
     return IX_OK;
 }
 
@@ -170,8 +158,7 @@ static ix_status all_breaks(const offset *o, int *n, const double **out)
     return IX_OK;
 }
 
-/* --- cusps
- * ------------------------------------------------------------------------- */
+/* --- cusps ---------------------------------------------------------------- */
 
 /* The zero of y between a and b, (t, y) with y of both signs: regula falsi and
  * bisection in turns. */
@@ -239,8 +226,7 @@ void ix_geo_numbers_free(ix_ctx *ctx, double *v, int n)
     ix__free(ctx, v, (size_t)n * sizeof *v);
 }
 
-/* --- public
- * -------------------------------------------------------------------------- */
+/* --- public --------------------------------------------------------------- */
 
 static ix_status check_variable(ix__geo *g, const ix_mv *m)
 {

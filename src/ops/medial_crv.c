@@ -31,8 +31,7 @@ typedef struct {
     ix_status st; /* of an evaluation inside the integrator */
 } trace;
 
-/* --- the differential equation
- * ------------------------------------------------- */
+/* --- the differential equation -------------------------------------------- */
 
 /* The point at x; the last one is kept, as events follow right sides. */
 static bool evaluate(trace *r, const double *x)
@@ -96,8 +95,7 @@ static void project(void *ud, double l, double *x)
         memcpy(x, y, sizeof y);
 }
 
-/* --- samples
- * ----------------------------------------------------------------------- */
+/* --- samples -------------------------------------------------------------- */
 
 /* dO/dl = O1' s' + y1 E1 t1'; state: x, dx. */
 static bool fill(trace *r, const ix__medial_point *p, const double x[3],
@@ -154,8 +152,7 @@ static ix_status mid(const void *ud, const ix__geo_sample *a,
     return IX_OK;
 }
 
-/* --- tracing in one direction
- * ---------------------------------------------------------- */
+/* --- tracing in one direction --------------------------------------------- */
 
 /* At the end of a group of spans: the next one, unless the border ends or has a
  * corner there. */
@@ -278,8 +275,7 @@ static ix_status follow(trace *r, const double start[3], ix_geo_stop *stop)
     return st;
 }
 
-/* --- a whole curve
- * ----------------------------------------------------------------------- */
+/* --- a whole curve -------------------------------------------------------- */
 
 /* The sign of the tangent that makes t1 grow; *ok false: no tangent. */
 static ix_status orient(trace *r, const double x[3], bool *ok)
@@ -379,8 +375,7 @@ static ix_status build(trace *r, ix_geo_curve *c)
     return measure(r, &c->miss);
 }
 
-/* --- all of them
- * ------------------------------------------------------------------------- */
+/* --- all of them ---------------------------------------------------------- */
 
 /* The t1 where s is 0 between two samples, or the samples themselves, against
  * that of a meeting; and ends against a point at an end. */

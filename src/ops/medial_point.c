@@ -8,8 +8,7 @@
 
 enum { NEWTON = 40 };
 
-/* --- the equations
- * -------------------------------------------------------------- */
+/* --- the equations -------------------------------------------------------- */
 
 static double dot(const ix__geo_metric *m, const double a[2], const double b[2])
 {
@@ -119,8 +118,7 @@ void ix__medial_spans(ix__medial *m, const double x[3], bool up)
     }
 }
 
-/* --- Newton's method
- * -------------------------------------------------------------- */
+/* --- Newton's method ------------------------------------------------------ */
 
 /* The step of least length, or with one unknown kept. */
 static bool newton_step(const ix__medial_point *p, int fixed, double dx[3])

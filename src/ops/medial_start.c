@@ -18,25 +18,19 @@ ix_status ix__medial_seed_add(ix__medial *m, ix__medial_seeds *out,
                               const double x[3], int fixed)
 {
     ix__medial_seed s = {.fixed = fixed};
+    void *at = ix__geo_grow(m->g->ctx, out->at, out->n, &out->room,
+                            sizeof *out->at);
 
-    if (out->n == out->room) {
-        ix__medial_seed *more;
-        int room = out->room ? 2 * out->room : 32;
-
-        IX_SCRATCH(m->g->ctx, more, room);
-        if (out->n)
-            memcpy(more, out->at, (size_t)out->n * sizeof *more);
-        out->at = more;
-        out->room = room;
-    }
+    if (!at)
+        return IX_ENOMEM;
+    out->at = at;
     memcpy(s.x, x, sizeof s.x);
     memcpy(s.side, m->side, sizeof s.side);
     out->at[out->n++] = s;
     return IX_OK;
 }
 
-/* --- where the borders meet
- * ------------------------------------------------------ */
+/* --- where the borders meet ----------------------------------------------- */
 
 static ix_status add_meetings(ix__medial *m, const ix_solutions *found,
                               ix__medial_seeds *out)
@@ -72,8 +66,7 @@ ix_status ix__medial_meetings(ix__medial *m, ix__medial_seeds *out)
     return st;
 }
 
-/* --- the net
- * ----------------------------------------------------------------------- */
+/* --- the net -------------------------------------------------------------- */
 
 /* Points of geodesics at the distances j h, j = 0 .. STEPS. */
 typedef struct {
@@ -128,8 +121,7 @@ static ix_status make_net(ix__medial *m, int k, int n, double from, net *w)
     return IX_OK;
 }
 
-/* --- candidates
- * --------------------------------------------------------------------- */
+/* --- candidates ----------------------------------------------------------- */
 
 /* Could 0 be a difference within the cell of geodesics i, i + 1 and steps j, j
  * + 1? Both parts change their sign, with as much to spare as they vary. */

@@ -59,8 +59,7 @@ static void row(const void *ud, const ix__geo_sample *a, double *out)
     out[4] = a->state[AT_SLOPE] * g->s.size / g->c[0].len;
 }
 
-/* --- the integral of ds/dt
- * -------------------------------------------------------- */
+/* --- the integral of ds/dt ------------------------------------------------ */
 
 static bool slope_at(void *ud, double t, const double *s, double *ds)
 {
@@ -126,8 +125,7 @@ static ix_status measure(void *ud, const ix__geo_trace *t, double *miss)
     return st;
 }
 
-/* --- public
- * -------------------------------------------------------------------------- */
+/* --- public --------------------------------------------------------------- */
 
 static ix_status focal_crv(ix__geo *g, int side, ix__geo_found *found)
 {

@@ -24,7 +24,7 @@ enum {
     REFINEMENTS = 8 /* Newton steps of an event's time */
 };
 
-/* --- the library --------------------------------------------------------- */
+/* --- the library ---------------------------------------------------------- */
 
 static struct {
     __typeof__(SUNContext_Create) *context_create;
@@ -93,7 +93,7 @@ static void load_library(void)
     lib.loaded = so != NULL;
 }
 
-/* --- callbacks ----------------------------------------------------------- */
+/* --- callbacks ------------------------------------------------------------ */
 
 struct ix__ode {
     ix_ctx *ctx;
