@@ -163,8 +163,7 @@ typedef struct {
  * Err   IX_EARG    sides are not both 1 or -1, or 0
  *       IX_EDOMAIN no point near the guess
  * Num   miss: largest distance between the ends of the two geodesics, shot
- *       anew. Starts at ends are found from a net of 33 geodesics; a
- *       geodesic may pass outside of the domain by 1/16 of its length
+ *       anew. Starts at ends are found from a net of 33 geodesics
  * Src   Rausch, Wolter, Sniehotta 1997, (4.4) and (4.6); docs/ops/medial_crv.md
  *       says where we differ */
 ix_status ix_medial_crv(ix_ctx *ctx, const ix_geo_surface *s, const ix_mv *c1,

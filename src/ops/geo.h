@@ -102,6 +102,7 @@ typedef struct {
     double uv[2], duv[2];
     ix__geo_cell cell;
     double len;                            /* |C'| */
+    double inside;                         /* as in ix__geo, of all of it */
     double tangent[3], normal[3], side[3]; /* C' / |C'|, N, N x C' / |C'| */
     double side_ab[2];
     double kg, dkg; /* geodesic curvature and its derivative by t */
@@ -142,6 +143,8 @@ typedef struct {
     ix__geo_cell cell;
     double side; /* 1 if J is to the right of the direction */
     bool variation, margin, stop_at_focal;
+    double inside; /* least distance of its u, v from the edge so far, negative
+                      outside; extrema between steps by cubics */
 } ix__geo;
 
 /* Opens the surface and n = 0 .. 2 curves. ix__geo_close in any case. */
@@ -181,6 +184,7 @@ typedef struct {
     double side[2]; /* parts of E, the direction of dO/dt = y E */
     double s;       /* |x|, or less if stopped */
     double len;     /* |C'| */
+    double inside;  /* as in ix__geo, of all of it */
     ix_geo_stop stop;
 } ix__geo_shot;
 ix_status ix__geo_shoot(ix__geo *g, const ix__geo_crv *c, int span, double t,

@@ -162,6 +162,38 @@ static bool cross(ix__geo *g, int edge, ix__geo_cell next, double *q,
     return true;
 }
 
+/* --- the edge of the domain ---------------------------------------------- */
+
+static double edge_distance(const double *uv)
+{
+    return fmin(fmin(uv[0], 1 - uv[0]), fmin(uv[1], 1 - uv[1]));
+}
+
+/* The least distance between two states h apart: their own, and those where the
+ * cubic of a coordinate is stationary, 3 a t^2 + 2 b t + c = 0. */
+static double least_between(const double *p, const double *q, double h)
+{
+    double least = fmin(edge_distance(p), edge_distance(q));
+
+    for (int d = 0; d < 2; d++) {
+        double dx = q[d] - p[d], c = h * p[2 + d], e = h * q[2 + d];
+        double a = c + e - 2 * dx, b = 3 * dx - 2 * c - e;
+        double root = b * b - 3 * a * c;
+
+        if (!(c * e < 0) || !(root >= 0))
+            continue; /* it does not turn round */
+        for (int k = -1; k <= 1; k += 2) {
+            double t = -c / (b + k * sqrt(root)), x;
+
+            if (!(t > 0 && t < 1))
+                continue;
+            x = p[d] + t * (c + t * (b + t * a));
+            least = fmin(least, fmin(x, 1 - x));
+        }
+    }
+    return least;
+}
+
 /* --- straight lines in a plane -------------------------------------------- */
 
 /* Newton's method for the parameters of a point of the plane near q. */
@@ -288,6 +320,7 @@ static ix_status run_straight(ix__geo *g, const ix__geo_way *w, double end,
     while (*s < end) {
         double h = 0.1 / fmax(fabs(q[2]), fabs(q[3]));
         double to = *s + h < end ? *s + h : end;
+        double from[4] = {q[0], q[1], q[2], q[3]};
         ix__geo_state r;
 
         if (!line_point(g, l.x, l.dir, to - l.s, q, r) || inside(g, r) < 0) {
@@ -297,6 +330,7 @@ static ix_status run_straight(ix__geo *g, const ix__geo_way *w, double end,
         } else {
             memcpy(q, r, 4 * sizeof *q);
         }
+        g->inside = fmin(g->inside, least_between(from, q, to - *s));
         *s = to;
         line_fields(g, &l, to, q);
         if (w->step)
@@ -372,7 +406,10 @@ static ix_status run_curved(ix__geo *g, const ix__geo_way *w, double end,
                            "a geodesic crosses more than %d spans", MAX_CELLS);
         IX_TRY(ix__ode_start(ode, *s, q, end));
         while (result == IX_ODE_STEP && !done) {
+            double from[4] = {q[0], q[1], q[2], q[3]}, at = *s;
+
             IX_TRY(ix__ode_step(ode, s, q, &event, &result));
+            g->inside = fmin(g->inside, least_between(from, q, *s - at));
             IX_TRY(happened(g, w, result, event, *s, q, stop, &done));
         }
     }
@@ -386,6 +423,7 @@ ix_status ix__geo_run(ix__geo *g, const ix__geo_way *w, double side, double end,
     g->variation = w->variation;
     g->margin = w->margin;
     g->stop_at_focal = w->stop_at_focal;
+    g->inside = edge_distance(q);
     if (g->s.planar)
         return run_straight(g, w, end, s, q, stop);
     return run_curved(g, w, end, s, q, stop);
@@ -417,10 +455,12 @@ ix_status ix__geo_shoot(ix__geo *g, const ix__geo_crv *c, int span, double t,
     g->cell = p.cell;
     out->stop = IX_GEO_END;
     out->len = p.len;
+    g->inside = edge_distance(out->q);
     if (x != 0)
         IX_TRY(
             ix__geo_run(g, w, out->sign, fabs(x), &out->s, out->q, &out->stop));
     out->cell = g->cell;
+    out->inside = g->inside;
     if (!ix__geo_across(g, out->q, out->sign, out->side))
         out->stop = IX_GEO_SINGULAR;
     return IX_OK;

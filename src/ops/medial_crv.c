@@ -13,11 +13,11 @@
 #include "ops/medial.h"
 
 enum {
-    EDGE = 0,  /* 4: of the surface's domain */
-    RANGE = 4, /* 4: of a span of the borders */
-    FOCAL = 8, /* 2 */
-    REACH = 10,
-    NEVENTS = 11,
+    EDGE = 0,  /* 2: of the surface's domain, for each geodesic */
+    RANGE = 2, /* 4: of a group of spans of the borders */
+    FOCAL = 6, /* 2 */
+    REACH = 8,
+    NEVENTS = 9,
     MEASURED = 33,
     MAX_STEPS = 20000
 };
@@ -72,8 +72,7 @@ static void events(void *ud, double l, const double *x, double *e)
         const ix__geo_crv *c = &r->m.g->c[d];
         const int *group = c->group[r->m.span[d]];
 
-        e[EDGE + 2 * d] = a->q[d] + IX_GEO_SLACK;
-        e[EDGE + 2 * d + 1] = 1 + IX_GEO_SLACK - a->q[d];
+        e[EDGE + d] = a[d].inside + IX_GEO_SLACK;
         e[RANGE + 2 * d] = x[d] - c->d.breaks[group[0]] + IX_GEO_SLACK;
         e[RANGE + 2 * d + 1] = c->d.breaks[group[1]] + IX_GEO_SLACK - x[d];
         e[FOCAL + d] = a[d].q[4] / a[d].len;

@@ -148,13 +148,11 @@ static bool in_range(const ix__medial *m, const ix__medial_point *p,
                      const double x[3])
 {
     for (int k = 0; k < 2; k++) {
-        const double *q = p->shot[k].q;
+        const ix__geo_shot *q = &p->shot[k];
 
-        if (!(x[k] >= -1e-10 && x[k] <= 1 + 1e-10 && q[4] > 0))
+        if (!(x[k] >= -1e-10 && x[k] <= 1 + 1e-10 && q->q[4] > 0 &&
+              q->inside >= -1e-10))
             return false;
-        for (int d = 0; d < 2; d++)
-            if (!(q[d] >= -1e-10 && q[d] <= 1 + 1e-10))
-                return false;
     }
     return x[2] >= -1e-9 && x[2] <= m->g->reach;
 }

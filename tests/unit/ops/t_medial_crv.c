@@ -339,6 +339,50 @@ static void ends(void **state)
     ix_mv_unref(ctx, s.mv);
 }
 
+/* The segment x = x0, y = 0.8 .. 2 in polar coordinates, within 1e-10. */
+static ix_mv *polar_segment(double x0)
+{
+    enum { N = 24 };
+    double pts[2 * N];
+    const ix_interpolate_opts o = {.order = 10};
+    ix_mv *m;
+
+    for (int i = 0; i < N; i++) {
+        double y = 0.8 + 1.2 * i / (N - 1);
+
+        pts[i] = atan2(y, x0);
+        pts[N + i] = hypot(x0, y);
+    }
+    ASSERT_OK(ctx, ix_interpolate(ctx, N, 2, false, pts, &o, NULL, &m));
+    return m;
+}
+
+/* In the plane without the unit disc, the medial curve of the segments x = -1
+ * and x = 3, y >= 0.8, is x = 1 down to y = 1: there, not at the domain's edge,
+ * but far from it, the geodesics from x = -1 touch the disc. */
+static void around_a_hole(void **state)
+{
+    double slope = 0, x[3];
+    ix_geo_surface s = by_function(cone_fn, &slope, 0.1, 3.1, 1, 5);
+    ix_mv *a = polar_segment(-1), *b = polar_segment(3);
+    const ix_medial_opts m = {.sides = {1, -1}};
+    ix_geo_curves o; /* S_u x S_v points down: left is the right */
+    int e;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_medial_crv(ctx, &s, a, b, &m, &coarse, &o));
+    assert_int_equal(o.n, 1);
+    e = o.crv->stop[1] == IX_GEO_DOMAIN;
+    assert_int_equal(o.crv->stop[e], IX_GEO_DOMAIN);
+    value(ctx, o.crv->space, e ? end_of(o.crv->space) : 0, x);
+    ASSERT_CLOSE(x[0], 1, 1e-7);
+    /* where it turns round between two steps is known to the cubic's error */
+    ASSERT_CLOSE(x[1], 1, 1e-4);
+    ix_geo_curves_free(ctx, &o);
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+}
+
 static void errors(void **state)
 {
     ix_geo_surface s = {.mv = make_plane(ctx)};
@@ -413,7 +457,7 @@ int main(void)
         cmocka_unit_test(five_meetings), cmocka_unit_test(no_meeting),
         cmocka_unit_test(great_circles), cmocka_unit_test(focal_point),
         cmocka_unit_test(ends),          cmocka_unit_test(errors),
-        cmocka_unit_test(faults),
+        cmocka_unit_test(faults),        cmocka_unit_test(around_a_hole),
     };
 
     GEO_RUN(tests);
