@@ -2,6 +2,8 @@
  * memory; the laws are in tests/script/planar. */
 #include "geom/belt.h"
 
+#include "base/ctx.h"
+
 #include "geom/pack_triangle.h"
 #include "geom/register.h"
 #include "geomtest.h"
