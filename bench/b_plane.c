@@ -91,6 +91,38 @@ static void pair(work *w, int spans)
     ix_mv_unref(w->ctx, w->b);
 }
 
+static void axis(void *arg)
+{
+    work *w = arg;
+    const ix_mv *const c[1] = {w->a};
+    ix_medial_axis m;
+
+    ix_bench_ok(w->ctx, ix_medial_axis_of(w->ctx, 1, c, 0, &m));
+    ix_medial_axis_free(w->ctx, &m);
+}
+
+/* A closed cubic with n spans. */
+static void medial(work *w, int n)
+{
+    double kv[128 + 8], pts[2 * 128];
+    ix_dir d = {IX_BSPLINE, 4, n, true, kv};
+    char name[80];
+
+    for (int i = 0; i < n + 7; i++)
+        kv[i] = i - 3;
+    for (int i = 0; i < n; i++) {
+        double a = 6.283185307179586 * i / n;
+        double r = 1 + 0.2 * sin(3 * a) + 0.1 * sin(11 * a + 1);
+
+        pts[i] = r * cos(a);
+        pts[n + i] = r * sin(a);
+    }
+    ix_bench_ok(w->ctx, ix_mv_new(w->ctx, 1, &d, 2, false, pts, &w->a));
+    snprintf(name, sizeof name, "medial axis, closed cubic, %d spans", n);
+    ix_bench(name, axis, w, n, "span");
+    ix_mv_unref(w->ctx, w->a);
+}
+
 int main(void)
 {
     work w = {.ctx = ix_ctx_new(NULL, NULL)};
@@ -98,6 +130,9 @@ int main(void)
     pair(&w, 0);
     pair(&w, 8);
     pair(&w, 32);
+    medial(&w, 25);
+    medial(&w, 50);
+    medial(&w, 100);
     ix_ctx_free(w.ctx);
     return 0;
 }

@@ -164,6 +164,67 @@ typedef enum {
 void ix_bisector_ends(const ix_bisector *b, const ix_mv *c1, const ix_mv *c2,
                       ix_end_class out[4]);
 
+/* The untrimmed bisector of coplanar curves by the bisector surface of two
+ * space curves: c2 is lifted out of the plane by the distance eps, or tilted by
+ * eps degrees about a line along x through the middle of both; the surface is
+ * cut with the plane halfway. Lifting is exact, tilting deviates by O(eps^2).
+ *
+ * In    tol    of the polylines, as in ix_curves_opts
+ * Out   *out   polylines, freed with ix_lines_free; z is 0
+ *       *error NULL, or how far the curve/curve parts of the true bisector
+ * (with radius up to twice the size) are from the polylines at most Err IX_EARG
+ * eps 0, not finite, or 90 degrees and more; tol; not curves of the plane;
+ * those of ix_cbisector3d Src   Elber & Kim 1998, 2.3 */
+ix_status ix_pln_bisect(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                        double eps, bool lift, double tol, ix_lines *out,
+                        double *error) IX_MUST_CHECK;
+
+/* --- medial axis ------------------------------------------------------------
+ */
+
+typedef struct {
+    int n;
+    const double *x;    /* double[n][3]: centre and radius of circles that touch
+                           the border twice and hold none of it */
+    const double *foot; /* double[n][2]: parameters of both feet */
+    int curve[2];       /* on which curve they are */
+    bool point[2];      /* the foot is a corner, and stays */
+    int node[2];        /* at both ends; the same twice for a loop */
+} ix_medial_branch;
+
+typedef struct {
+    double x[2], r;
+    int degree; /* ends of branches: 1 an end, 2 a change of feet (curve to
+                   corner), 3 and more a meeting */
+} ix_medial_node;
+
+typedef struct {
+    int nbranches, nnodes;
+    ix_medial_branch *branch;
+    ix_medial_node *node;
+    double size; /* half the longest edge of the box */
+    size_t bytes;
+} ix_medial_axis;
+void ix_medial_axis_free(ix_ctx *ctx, ix_medial_axis *m);
+
+/* The medial axis of the region that closed curves bound: what an odd number
+ * of them enclose. A graph: connected if the region is, with as many loops as
+ * it has holes.
+ *
+ * In    crv    n closed curves of two coordinates, not crossing; corners and
+ *              cusps may be
+ *       tol    of the polylines, relative to the size; 0: 1e-4
+ * Out   *out   freed with ix_medial_axis_free. Branches end at corners with
+ *              angle below 180 degrees (radius 0), at centres of curvature of
+ *              vertices where the border is closest to its circle, and where
+ *              three circles' feet meet. A disc: one node
+ * Err   IX_EARG    a curve that is not closed, or of other coordinates; tol
+ *       IX_EDOMAIN nothing is enclosed; a curve is a point
+ * Num   every vertex is the centre of a circle that touches twice, within 1e-13
+ *       of the size; nodes are found to 1e-9 */
+ix_status ix_medial_axis_of(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                            double tol, ix_medial_axis *out) IX_MUST_CHECK;
+
 /* --- correspondence of feet ------------------------------------------------
  */
 

@@ -429,6 +429,154 @@ static ix_status cbisector2d(ix_call *c)
     return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
 }
 
+/* --- regions ---------------------------------------------------------------
+ */
+
+static ix_obj *node_object(ix_ctx *ctx, const ix_medial_node *n)
+{
+    const double x[3] = {n->x[0], n->x[1], 0.0};
+    ix_obj *o = ix__obj_point(ctx, x);
+    ix_status st = o ? ix__attr_set_int(ctx, &o->attrs, "Degree", n->degree)
+                     : IX_ENOMEM;
+
+    if (st == IX_OK)
+        st = ix__attr_set_real(ctx, &o->attrs, "Radius", n->r);
+    if (st == IX_OK)
+        return o;
+    ix__obj_unref(ctx, o);
+    return NULL;
+}
+
+/* An E3 curve of order 2: centre and radius. */
+static ix_status branch_curve(ix_ctx *ctx, const ix_medial_branch *b,
+                              ix_mv **out)
+{
+    ix_dir d = {.basis = IX_BSPLINE, .order = 2, .length = b->n};
+    double *knots, *pts;
+
+    IX_SCRATCH(ctx, knots, b->n + 2);
+    IX_SCRATCH(ctx, pts, 3 * b->n);
+    for (int i = 0; i < b->n; i++) {
+        knots[i + 1] = (double)i / (b->n - 1);
+        for (int k = 0; k < 3; k++)
+            pts[k * b->n + i] = b->x[3 * i + k];
+    }
+    knots[0] = 0.0;
+    knots[b->n + 1] = 1.0;
+    d.knots = knots;
+    return ix_mv_new(ctx, 1, &d, 3, false, pts, out);
+}
+
+static ix_status branch_object(ix_ctx *ctx, const ix_medial_branch *b,
+                               ix_obj **out)
+{
+    const double *z = b->foot + 2 * (b->n - 1);
+    ix_status st;
+    ix_mv *m;
+
+    *out = NULL;
+    IX_TRY(branch_curve(ctx, b, &m));
+    *out = ix__obj_mv(ctx, IX_OBJ_CURVE, m);
+    st = *out ? set_pair(ctx, *out, "Foot2", b->foot[1], z[1]) : IX_ENOMEM;
+    if (st == IX_OK)
+        st = set_pair(ctx, *out, "Foot1", b->foot[0], z[0]);
+    if (st == IX_OK)
+        st = set_pair(ctx, *out, "Curves", b->curve[0] + 1, b->curve[1] + 1);
+    if (st == IX_OK)
+        st = set_pair(ctx, *out, "Nodes", b->node[0] + 1, b->node[1] + 1);
+    if (st == IX_OK)
+        return IX_OK;
+    ix__obj_unref(ctx, *out);
+    return st;
+}
+
+static ix_status medial_lists(ix_call *c, const ix_medial_axis *m, ix_obj *list,
+                              ix_obj *branches, ix_obj *nodes)
+{
+    ix_obj *o;
+
+    for (int i = 0; i < m->nbranches; i++) {
+        IX_TRY(branch_object(c->ctx, &m->branch[i], &o));
+        IX_TRY(ix__list_add(c->ctx, branches, o));
+    }
+    for (int i = 0; i < m->nnodes; i++)
+        IX_TRY(ix__list_add(c->ctx, nodes, node_object(c->ctx, &m->node[i])));
+    IX_TRY(ix__list_add(c->ctx, list, ix__obj_ref(branches)));
+    return ix__list_add(c->ctx, list, ix__obj_ref(nodes));
+}
+
+static ix_status medialaxis(ix_call *c)
+{
+    ix_obj *part[3] = {NULL, NULL, NULL};
+    double tol = ix__arg_num(c, 1);
+    const ix_mv **crv;
+    ix_medial_axis m;
+    ix_status st = IX_OK;
+    int n;
+
+    if (!(tol >= 0.0 && isfinite(tol)))
+        return IX_ARG_FAIL(c, 1,
+                           "a tolerance of %g: positive, relative to the "
+                           "size, or 0 for 1e-4",
+                           tol);
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    IX_TRY(ix_medial_axis_of(c->ctx, n, crv, tol, &m));
+    for (int i = 0; i < 3; i++)
+        if (!(part[i] = ix__obj_list(c->ctx)))
+            st = IX_ENOMEM;
+    if (st == IX_OK)
+        st = medial_lists(c, &m, part[0], part[1], part[2]);
+    ix_medial_axis_free(c->ctx, &m);
+    ix__obj_unref(c->ctx, part[1]);
+    ix__obj_unref(c->ctx, part[2]);
+    return ix__ret_list(c, part[0], st);
+}
+
+/* Pieces of curve and curve carry CV_CV, as in IRIT. */
+static ix_status mark_cells(ix_call *c, const ix_bisector *b)
+{
+    for (int i = 0; i < b->n; i++)
+        if (b->piece[i].kind == IX_CURVE_CURVE)
+            IX_TRY(ix__attr_set_int(c->ctx, &c->result->u.list.item[i]->attrs,
+                                    "CV_CV", 1));
+    return IX_OK;
+}
+
+static ix_status cvoronoicell(ix_call *c)
+{
+    const ix_mv **crv;
+    ix_bisector b;
+    ix_status st;
+    int n;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    if (n < 2)
+        return IX_ARG_FAIL(c, 0, "a list of two curves or more, got %d", n);
+    IX_TRY(ix_bisect_crv_crv(c->ctx, 1, crv, n - 1, crv + 1, 0, &b));
+    st = pieces(c, &b);
+    if (st == IX_OK)
+        st = mark_cells(c, &b);
+    ix_bisector_free(c->ctx, &b);
+    return st;
+}
+
+static ix_status plnbisect(ix_call *c)
+{
+    double error;
+    ix_status st;
+    ix_lines l;
+    int how;
+
+    IX_TRY(ix__arg_int(c, 3, 0, 1, &how));
+    IX_TRY(ix_pln_bisect(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1),
+                         ix__arg_num(c, 2), how == 1, 0, &l, &error));
+    st = ret_lines(c, &l);
+    if (st == IX_OK && isfinite(error))
+        st = ix__attr_set_real(c->ctx, &c->result->attrs, "Error", error);
+    ix_lines_free(c->ctx, &l);
+    return st;
+}
+
 /* --- table -----------------------------------------------------------------
  */
 
@@ -475,4 +623,23 @@ const ix_builtin ix__builtins_bisect2d[] = {
      "The exact point at t of a component of SEGBISECT(c1, c2).",
      TWO "l = segbisect(c, d); p = bisecteval(nth(l, 2), c, d, 0.5);",
      bisecteval, 0, 21},
+    {"CVORONOICELL", "curves:list -> list",
+     "The border of the Voronoi cell of the first curve among the others: "
+     "components as SEGBISECT gives them, those of curve and curve with CV_CV "
+     "1.",
+     "l = cvoronoicell(list(pcircle(vector(0, 0, 0), 1), pcircle(vector(4, 0, "
+     "0), 1), pcircle(vector(0, 5, 0), 2)));",
+     cvoronoicell, 0, 21},
+    {"MEDIALAXIS", "curves:list tol:num -> list",
+     "The medial axis of the region that closed curves bound: list(branches, "
+     "nodes). Branches are curves (x, y, radius) of order 2 with attributes "
+     "Nodes, Curves, Foot1, Foot2; nodes are points with Radius and Degree.",
+     "l = medialaxis(list(pcircle(vector(0, 0, 0), 2) * sx(2), "
+     "pcircle(vector(1, 0, 0), 0.5)), 1e-3);",
+     medialaxis, 0, 21},
+    {"PLNBISECT", "c1:curve c2:curve eps:num how:num -> list",
+     "The untrimmed bisector of coplanar curves cut out of the bisector "
+     "surface of space curves: c2 tilted by eps degrees (how 0) or lifted by "
+     "eps (1). Attribute Error: distance of the true bisector from it.",
+     TWO "l = plnbisect(c, d, 0.5, 1);", plnbisect, 0, 21},
     {0}};

@@ -335,6 +335,79 @@ static bool in_reach(const ix__span *sp, const double c[2], const double n[2],
     return far > 0.0 && d2 <= 1.0 + 1e-12;
 }
 
+/* k at u and the step to where it is stationary; h is |v|^4 / 2 times its
+ * derivative. False where it has no maximum near. */
+static bool stationary(const ix__set *set, const search *s, int span, double u,
+                       double *k, double *vv, double *step)
+{
+    double d[3][2], v[2], nv, dv, h, dh;
+
+    ix__span_at(set, &set->span[span], u, d);
+    for (int j = 0; j < 2; j++)
+        v[j] = d[0][j] - s->c[j];
+    *vv = v[0] * v[0] + v[1] * v[1];
+    nv = s->n[0] * v[0] + s->n[1] * v[1];
+    dv = d[1][0] * v[0] + d[1][1] * v[1];
+    h = (s->n[0] * d[1][0] + s->n[1] * d[1][1]) * *vv - 2.0 * nv * dv;
+    dh = (s->n[0] * d[2][0] + s->n[1] * d[2][1]) * *vv -
+         2.0 * nv *
+             (d[2][0] * v[0] + d[2][1] * v[1] + d[1][0] * d[1][0] +
+              d[1][1] * d[1][1]);
+    *k = 2.0 * nv / *vv;
+    *step = -h / dh;
+    return dh < 0.0 && fabs(*step) <= 1e-3;
+}
+
+/* The span behind end e; -1 if there is a vertex, or nothing. */
+static int neighbour(const ix__set *set, int span, int e)
+{
+    const ix__span *sp = &set->span[span];
+    const ix__strand *st;
+    int i;
+
+    if (sp->vertex[e] >= 0 || sp->strand < 0)
+        return -1;
+    st = &set->strand[sp->strand];
+    i = span - st->first + (e ? 1 : -1);
+    if (!st->closed && (i < 0 || i >= st->count))
+        return -1;
+    return st->first + (i + st->count) % st->count;
+}
+
+/* Moves a foot that is no vertex to where k is stationary: the search stops
+ * where nothing is deeper than can be told from nothing, which leaves the foot
+ * within the square root of that. */
+static void sharpen(const ix__set *set, search *s)
+{
+    int span = s->found;
+    double u = s->u;
+
+    if ((u <= 0.0 && neighbour(set, span, 0) < 0) ||
+        (u >= 1.0 && neighbour(set, span, 1) < 0))
+        return;
+    for (int i = 0; i < 8; i++) {
+        double k, vv, step;
+        bool maximum = stationary(set, s, span, u, &k, &vv, &step);
+
+        if (i > 0 && (s->k - k) * vv <= s->tol) {
+            s->k = fmax(s->k, k);
+            s->found = span;
+            s->u = u;
+        }
+        if (!maximum)
+            return;
+        u += step;
+        if (u < 0.0 || u > 1.0) {
+            int e = u > 1.0;
+
+            span = neighbour(set, span, e);
+            if (span < 0)
+                return;
+            u = e ? 0.0 : 1.0;
+        }
+    }
+}
+
 static bool touch(const ix__set *set, const double c[2], const double n[2],
                   double depth, bool any, ix__touch *io)
 {
@@ -347,6 +420,8 @@ static bool touch(const ix__set *set, const double c[2], const double n[2],
             run(&s, set, i);
     if (s.found < 0)
         return false;
+    if (!any && isfinite(s.k))
+        sharpen(set, &s);
     *io = (ix__touch){s.k, s.found, s.u};
     return true;
 }

@@ -6,12 +6,21 @@
 
 #include "ops/plane_walk.h"
 
+/* With one set for both, feet on a smooth curve that are nearer than this part
+ * of the radius count as one: the depth between them is of fourth order, so
+ * that they are not known to more than (1e-14)^(1/4), and a margin. */
+#define ONE_FOOT 1e-2
 /* A radius below this counts as a point that both sets have in common. */
 #define COMMON 1e-13
 /* Intervals of a border element are halved down to this. */
 #define FINEST 0x1p-50
 /* From here on one event at most is looked for in an interval. */
 #define SMALL 0x1p-26
+/* A foot that moves farther (in spans) at one place jumps: less may be its
+ * rounding where the circle nearly is that of curvature. */
+#define JUMP 1e-5
+/* Beyond this distance the bisector goes to infinity, nearly straight. */
+#define FAR 4.0
 /* Pieces that were found lead to others; so often at most. */
 enum { ROUNDS = 8 };
 
@@ -119,6 +128,10 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
     double t[2], move, m[2], d[3][2], v, along, k, len;
     double n[2] = {(o->b[0] - o->x[0]) / o->r, (o->b[1] - o->x[1]) / o->r};
 
+    o->speed = 0.0; /* of a circle of curvature: along the evolute, slowly */
+    o->rate = e->side;
+    if (o->own_circle)
+        return;
     own_motion(w->own, e, o, t, &move);
     m[0] = n[1] - o->n[1]; /* normal to the difference of both normals */
     m[1] = o->n[0] - n[0];
@@ -140,6 +153,20 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
               (v * (1.0 - k * o->r));
 }
 
+static double way(const ix__set *s, const ix__touch *a, const ix__touch *b);
+
+static bool one_foot(const ix__walk *w, const ix__border *e,
+                     const ix__sample *o)
+{
+    ix__touch own = {0.0, e->index, e->side > 0 ? o->at : 1.0 - o->at};
+
+    if (w->own != w->other || e->kind == IX__FAN || o->vertex >= 0)
+        return false;
+    return w->own->span[own.span].strand == w->own->span[o->foot.span].strand &&
+           hypot(o->x[0] - o->c[0], o->x[1] - o->c[1]) <= ONE_FOOT * o->r &&
+           isfinite(way(w->own, &own, &o->foot));
+}
+
 static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
 {
     ix__touch block = {.kappa = o->foot.kappa, .span = -1};
@@ -159,6 +186,7 @@ static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
         return;
     }
     o->valid = true;
+    o->own_circle = o->own_circle || one_foot(w, e, o);
     motion(w, e, o);
 }
 
@@ -179,7 +207,8 @@ void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
     }
     ix__set_touch(w->other, o.c, o.n, IX__DEPTH, &o.foot);
     if (o.foot.span < 0 && w->own == w->other && o.foot.kappa > 0.0) {
-        o.foot.span = e->index; /* the circle of curvature */
+        o.own_circle = true;
+        o.foot.span = e->index;
         o.foot.u = e->side > 0 ? at : 1.0 - at;
     }
     if (o.foot.span < 0)
@@ -291,8 +320,34 @@ static bool same_feet(const ix__walk *w, const ix__sample *a,
                       const ix__sample *b)
 {
     return a->vertex == b->vertex && a->side == b->side &&
+           a->own_circle == b->own_circle &&
            w->other->span[a->foot.span].strand ==
                w->other->span[b->foot.span].strand;
+}
+
+/* With one set for both: do the feet change places between a and b? There the
+ * medial axis ends, at a centre of curvature, and the walk turns back. */
+static bool turns(const ix__walk *w, const ix__sample *a, const ix__sample *b)
+{
+    const ix__sample *s[2] = {a, b};
+    double d[2];
+
+    if (w->own != w->other || a->vertex >= 0 || a->own_circle)
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const ix__border *e = &w->own->border[s[i]->border];
+        ix__touch own = {0.0, e->index,
+                         e->side > 0 ? s[i]->at : 1.0 - s[i]->at};
+
+        if (e->kind == IX__FAN || w->own->span[own.span].strand !=
+                                      w->own->span[s[i]->foot.span].strand)
+            return false;
+        d[i] = way(w->own, &own, &s[i]->foot);
+        if (!(fabs(d[i]) <=
+              0.25 * w->own->strand[w->own->span[own.span].strand].count))
+            return false;
+    }
+    return d[0] * d[1] < 0.0;
 }
 
 static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
@@ -311,39 +366,44 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
            part >= 0.04 * len * len && part <= 0.96 * len * len;
 }
 
-/* Is what was covered what the speeds at both ends promise? Where a part of
- * either border was left out it is not. */
-static bool as_promised(double covered, double h, double a, double b,
+/* Is what was covered what the speeds at both ends and in the middle promise,
+ * by Simpson's rule? Where a part of either border was left out it is not. Far
+ * out both grow as on hyperbolas: there their geometric mean is compared,
+ * roughly. */
+static bool as_promised(double covered, double h, const double v[3], bool far,
                         double least)
 {
-    double plain = 0.5 * h * (a + b),
-           mean = a * b > 0.0 ? h * sqrt(a * b) : 0.0;
-    double tol = 0.05 * fabs(covered) + least;
+    double simpson = h * (v[0] + 4.0 * v[1] + v[2]) / 6.0;
+    double mean = v[0] * v[2] > 0.0 ? h * sqrt(v[0] * v[2]) : 0.0;
 
-    if (a < 0.0)
-        mean = -mean; /* speeds of hyperbolas, far out */
-    return fabs(covered - plain) <= tol || fabs(covered - mean) <= tol;
+    if (fabs(covered - simpson) <= 0.005 * fabs(covered) + least)
+        return true;
+    return far && fabs(fabs(covered) - mean) <= 0.05 * fabs(covered) + least;
 }
 
 /* Nothing happens between a and b, of which m is the middle. */
 static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
                    const ix__sample *b)
 {
+    const double speed[3] = {a->speed, m->speed, b->speed};
+    const double rate[3] = {a->rate, m->rate, b->rate};
     double d, e, size;
 
     if (!m->valid || !same_feet(w, a, b) || !same_feet(w, a, m) ||
-        !flat(w, a, m, b))
+        turns(w, a, b) || !flat(w, a, m, b))
         return false;
     size = fmax(1.0, hypot(m->b[0], m->b[1]));
+    if (a->own_circle)
+        return true;
     if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]), b->at - a->at,
-                     a->speed, b->speed, 0.1 * w->tol * size))
+                     speed, size > FAR, 0.1 * w->tol * size))
         return false;
     if (a->vertex >= 0)
         return true;
     d = way(w->other, &a->foot, &b->foot);
     if (!isfinite(d)) /* a corner between */
         return false;
-    if (!as_promised(d, b->at - a->at, a->rate, b->rate, 1e-6))
+    if (!as_promised(d, b->at - a->at, rate, size > FAR, 1e-6))
         return false;
     e = way(w->other, &a->foot, &m->foot);
     if (fabs(d) <= 1e-12)
@@ -385,7 +445,8 @@ static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
             hi = m;
     }
     lo.cut = lo.valid && hi.valid && same_feet(k->w, &lo, &hi) &&
-             lo.vertex < 0 && fabs(way(k->w->other, &lo.foot, &hi.foot)) > 1e-7;
+             lo.vertex < 0 && !lo.own_circle &&
+             fabs(way(k->w->other, &lo.foot, &hi.foot)) > JUMP;
     if (lo.at > a->at)
         IX_TRY(emit(k, &lo));
     else
@@ -544,7 +605,8 @@ static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     const ix__border *ea = &w->own->border[a->border];
     const ix__border *eb = &w->own->border[b->border];
 
-    if (!a->valid || !b->valid || a->cut || !same_feet(w, a, b))
+    if (!a->valid || !b->valid || a->cut || !same_feet(w, a, b) ||
+        turns(w, a, b))
         return false;
     if (ea->kind != eb->kind)
         return false;

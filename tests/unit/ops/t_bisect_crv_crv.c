@@ -62,7 +62,7 @@ static void disjoint_quadratics(void **state)
     int most = 0, seen = 0;
 
     (void)state;
-    while (seen < 60) {
+    while (seen < 40) {
         crv_kind k = {2, 2, seen & 1, 0, 0, 1};
         ix_mv *a = rand_crv(ctx, &r, &k), *b = rand_crv(ctx, &r, &k);
         const ix_mv *const pa[1] = {a}, *const pb[1] = {b};
