@@ -3,6 +3,7 @@
  */
 #include <math.h>
 
+#include "geom/lines.h"
 #include "geom/path.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
@@ -44,22 +45,6 @@ static bool point_at(const mapping *k, const double *st, double out[3])
     return hypot(out[0] - k->mid[0], out[1] - k->mid[1]) <= k->reach;
 }
 
-static ix_status lines_new(ix_ctx *ctx, size_t points, ix_lines *out)
-{
-    size_t bytes = points * (3 * sizeof(double) + sizeof(int));
-    char *block = points ? ix__alloc(ctx, bytes) : NULL;
-
-    *out = (ix_lines){0};
-    if (!points)
-        return IX_OK;
-    if (!block)
-        return IX_ENOMEM;
-    out->pt = (double(*)[3])(void *)block;
-    out->count = (int *)(void *)(out->pt + points);
-    out->bytes = bytes;
-    return IX_OK;
-}
-
 /* Vertices of one solution curve, in parts where they are left out; parts of a
  * single point are dropped. */
 static void collect(const mapping *k, const ix_solution_curve *c, size_t *used,
@@ -91,7 +76,7 @@ static ix_status map_all(ix_ctx *ctx, const mapping *k,
 
     for (int i = 0; i < s->ncurves; i++)
         total += (size_t)s->curve[i].n;
-    IX_TRY(lines_new(ctx, total, out));
+    IX_TRY(ix__lines_new(ctx, total, out));
     for (int i = 0; i < s->ncurves; i++)
         collect(k, &s->curve[i], &used, out);
     return IX_OK;

@@ -146,20 +146,6 @@ static int node_at(maker *k, const ix__sample *s)
     return m->nnodes++;
 }
 
-static double parameter(const ix__set *s, const ix__sample *a, bool own)
-{
-    const ix__border *e = &s->border[a->border];
-
-    if (own)
-        return e->kind == IX__FAN
-                   ? s->vertex[e->index].t
-                   : ix__span_parameter(&s->span[e->index],
-                                        e->side > 0 ? a->at : 1.0 - a->at);
-    return a->vertex >= 0
-               ? s->vertex[a->vertex].t
-               : ix__span_parameter(&s->span[a->foot.span], a->foot.u);
-}
-
 /* The first and last run of the loop of run i. */
 static void loop_runs(const ix__walked *w, int i, int out[2])
 {
@@ -231,8 +217,8 @@ static void add_vertex(maker *k, const ix__sample *a, ix_medial_branch *b,
         x[3 * b->n + c] = ldexp(a->b[c], k->g->frame.exp) +
                           k->g->frame.shift[c];
     x[3 * b->n + 2] = ldexp(a->r, k->g->frame.exp);
-    foot[2 * b->n] = parameter(s, a, true);
-    foot[2 * b->n + 1] = parameter(s, a, false);
+    foot[2 * b->n] = ix__own_parameter(s, a);
+    foot[2 * b->n + 1] = ix__other_parameter(s, a);
     b->n++;
 }
 

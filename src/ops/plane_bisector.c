@@ -90,7 +90,7 @@ static part within_reach(const maker *k, const ix__run *r)
     return p;
 }
 
-static double own_parameter(const ix__set *s, const ix__sample *a)
+double ix__own_parameter(const ix__set *s, const ix__sample *a)
 {
     const ix__border *e = &s->border[a->border];
 
@@ -105,7 +105,7 @@ static double own_parameter(const ix__set *s, const ix__sample *a)
  * changes from the curve to the vertex. */
 #define AT_VERTEX 1e-6
 
-static double other_parameter(const ix__set *s, const ix__sample *a)
+double ix__other_parameter(const ix__set *s, const ix__sample *a)
 {
     const ix__span *sp = &s->span[a->foot.span];
     double u = a->foot.u;
@@ -142,8 +142,8 @@ static void vertices(maker *k, const ix__run *r, ix_bisector_piece *p)
             i + 1 < q.end)
             continue;
         to_user(k->frame, s->b, x + 2 * n);
-        foot[2 * n] = own_parameter(k->obj[0].set, s);
-        foot[2 * n + 1] = other_parameter(k->obj[1].set, s);
+        foot[2 * n] = ix__own_parameter(k->obj[0].set, s);
+        foot[2 * n + 1] = ix__other_parameter(k->obj[1].set, s);
         rad[n++] = ldexp(s->r, k->frame->exp);
         before = s;
     }
@@ -253,8 +253,8 @@ static ix_status exact_rational(const maker *k, const ix__run *r,
 
     IX_TRY(fixed_foot(k, p, 1 - i, q));
     for (int e = 0; e < 2; e++)
-        t[e] = i ? other_parameter(k->obj[1].set, e ? b : a)
-                 : own_parameter(k->obj[0].set, e ? b : a);
+        t[e] = i ? ix__other_parameter(k->obj[1].set, e ? b : a)
+                 : ix__own_parameter(k->obj[0].set, e ? b : a);
     if (t[0] == t[1])
         return IX_OK; /* shorter than rounding */
     IX_TRY(ix_mv_region(k->ctx, crv, 0, fmin(t[0], t[1]), fmax(t[0], t[1]),

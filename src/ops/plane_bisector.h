@@ -17,6 +17,9 @@ typedef struct {
 ix_status ix__bisector_make(ix_ctx *ctx, const ix__walked *w,
                             const ix__object obj[2], const ix_frame *frame,
                             ix_bisector *out) IX_MUST_CHECK;
+/* The user's parameters of both feet. */
+double ix__own_parameter(const ix__set *s, const ix__sample *a);
+double ix__other_parameter(const ix__set *s, const ix__sample *a);
 /* The tolerance of the polylines, relative. Err IX_EARG negative, NaN. */
 ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out) IX_MUST_CHECK;
 /* Copies in scratch of n curves with two coordinates, released by the caller

@@ -316,6 +316,24 @@ static double way(const ix__set *s, const ix__touch *a, const ix__touch *b)
     return d;
 }
 
+/* Does a foot pass the place where its closed curve begins? There its parameter
+ * jumps, and pieces between two objects are divided. */
+static bool passes_seam(const ix__walk *w, const ix__sample *a,
+                        const ix__sample *b)
+{
+    const ix__set *s = w->other;
+    const ix__border *e = &w->own->border[a->border];
+    const ix__strand *st = &s->strand[s->span[a->foot.span].strand];
+    double d = (b->foot.span - a->foot.span) + (b->foot.u - a->foot.u);
+
+    if (w->own == w->other)
+        return false;
+    if (a->vertex < 0 && st->closed && fabs(d) > 0.5 * st->count)
+        return true;
+    return e->kind == IX__SIDE &&
+           (b->border < a->border || (b->border == a->border && b->at < a->at));
+}
+
 static bool same_feet(const ix__walk *w, const ix__sample *a,
                       const ix__sample *b)
 {
@@ -390,7 +408,7 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
     double d, e, size;
 
     if (!m->valid || !same_feet(w, a, b) || !same_feet(w, a, m) ||
-        turns(w, a, b) || !flat(w, a, m, b))
+        turns(w, a, b) || passes_seam(w, a, b) || !flat(w, a, m, b))
         return false;
     size = fmax(1.0, hypot(m->b[0], m->b[1]));
     if (a->own_circle)
@@ -606,7 +624,7 @@ static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     const ix__border *eb = &w->own->border[b->border];
 
     if (!a->valid || !b->valid || a->cut || !same_feet(w, a, b) ||
-        turns(w, a, b))
+        turns(w, a, b) || passes_seam(w, a, b))
         return false;
     if (ea->kind != eb->kind)
         return false;
@@ -619,10 +637,16 @@ static bool meets(const ix__sample *a, const ix__sample *b)
            1e-7 * fmax(1.0, hypot(a->b[0], a->b[1]));
 }
 
-/* Length along the samples: runs between two neighbours in double are none. */
+/* Length along the samples: runs between two neighbours in double are none, nor
+ * those at infinity that are one place of the border. */
 static bool has_length(const ix__walked *o, const ix__run *r)
 {
+    const ix__sample *first = ix__run_at(o, r, 0);
+    const ix__sample *last = ix__run_at(o, r, r->count - 1);
     double len = 0.0;
+
+    if (first->border == last->border && fabs(last->at - first->at) <= 1e-12)
+        return false;
 
     for (int i = 1; i < r->count && len <= 1e-11; i++) {
         const ix__sample *a = ix__run_at(o, r, i - 1), *b = ix__run_at(o, r, i);

@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "geom/angle.h"
+#include "geom/lines.h"
 #include "iritx/contour.h"
 #include "iritx/ops.h"
 #include "iritx/ops_plane.h"
@@ -68,22 +69,6 @@ static bool is_good(const tilt *k, const double *st, const double x[3])
     return fabs(d[0] - d[1]) <= tol;
 }
 
-static ix_status lines_new(ix_ctx *ctx, size_t points, ix_lines *out)
-{
-    size_t bytes = points * (3 * sizeof(double) + sizeof(int));
-    char *block;
-
-    if (!points)
-        return IX_OK;
-    block = ix__alloc(ctx, bytes);
-    if (!block)
-        return IX_ENOMEM;
-    out->pt = (double(*)[3])(void *)block;
-    out->count = (int *)(void *)(out->pt + points);
-    out->bytes = bytes;
-    return IX_OK;
-}
-
 static ix_status collect(const tilt *k, const ix_mv *s,
                          const ix_solution_curves *c, ix_lines *out)
 {
@@ -91,7 +76,7 @@ static ix_status collect(const tilt *k, const ix_mv *s,
 
     for (int i = 0; i < c->ncurves; i++)
         total += (size_t)c->curve[i].n;
-    IX_TRY(lines_new(k->ctx, total, out));
+    IX_TRY(ix__lines_new(k->ctx, total, out));
     for (int i = 0; i < c->ncurves; i++) {
         out->count[out->n] = 0;
         for (int j = 0; j < c->curve[i].n; j++) {

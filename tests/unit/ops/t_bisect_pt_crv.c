@@ -472,6 +472,38 @@ static void whole_circle(void **state)
     ix_ctx_free(ctx);
 }
 
+/* A closed curve: the foot passes the place where it begins; there the pieces
+ * are divided, so that each is exact over its own parameters. */
+static void closed_curve(void **state)
+{
+    const double o[3] = {0, 0, 0}, q[2] = {0.3, 0.2};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_bisector s;
+    double feet = 0;
+    ix_mv *m;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_circle(ctx, o, 1, &m));
+    {
+        const ix_mv *const list[1] = {m};
+        brute b = brute_of(ctx, 1, list);
+
+        ASSERT_OK(ctx, ix_bisect_pt_crv(ctx, m, q, false, 0, &s));
+        check_exact(ctx, &s, &b, q);
+        free(b.x);
+    }
+    assert_true(s.closed);
+    for (int i = 0; i < s.n; i++) {
+        feet += fabs(s.piece[i].foot[2 * s.piece[i].n - 1] -
+                     s.piece[i].foot[1]);
+        assert_int_equal(s.piece[i].component, 0);
+    }
+    ASSERT_CLOSE(feet, 4, 1e-6);
+    ix_bisector_free(ctx, &s);
+    ix_mv_unref(ctx, m);
+    ix_ctx_free(ctx);
+}
+
 /* A line as whole carrier: the parabola with focus q goes on to infinity. */
 static void line(void **state)
 {
@@ -626,6 +658,7 @@ int main(void)
         cmocka_unit_test(extraordinary),
         cmocka_unit_test(whole_parabola),
         cmocka_unit_test(whole_circle),
+        cmocka_unit_test(closed_curve),
         cmocka_unit_test(line),
         cmocka_unit_test(on_the_curve),
         cmocka_unit_test(errors),
