@@ -5,6 +5,7 @@
 
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
+#include "ops/plane_bisector.h"
 
 /* --- circles that touch twice ----------------------------------------------
  *
@@ -93,12 +94,7 @@ ix_status ix_bisector_touch(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
     ray own;
     double k;
 
-    for (int i = 0; i < 2; i++)
-        if (c[i]->ndirs != 1 || c[i]->ncoords < 2)
-            return IX_FAIL(ctx, IX_EARG,
-                           "operand %d has %d directions and %d coordinates: "
-                           "a curve with at least two is needed",
-                           i + 1, c[i]->ndirs, c[i]->ncoords);
+    IX_TRY(ix__plane_check(ctx, 2, c));
     IX_TRY(ray_at(ctx, c1, foot[0], side < 0 ? -1 : 1, &own));
     IX_TRY(solve(ctx, c2, &own, &foot[1], &k));
     if (!(k > 0.0))

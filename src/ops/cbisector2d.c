@@ -13,9 +13,11 @@
 #include <limits.h>
 #include <math.h>
 
+#include "geom/parts.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
 #include "ops/lift.h"
+#include "ops/plane_bisector.h"
 #include "sym/outer.h"
 
 enum { MOST = 16 };
@@ -349,37 +351,26 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, int func,
                  ldexp(1.0, (func == 3 ? 4 : 6) * frame.exp), out);
 }
 
-static ix_status scoped(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2, int func,
+static ix_status scoped(ix_ctx *ctx, const ix_mv *const *c, int func,
                         const ix_op_opts *o, ix_mv **out)
 {
-    const ix_mv *c[2] = {c1, c2};
-    ix_mv *flat[2] = {NULL, NULL};
-    ix_status st = IX_OK;
+    ix_mv **flat;
+    ix_status st;
 
-    for (int i = 0; i < 2 && st == IX_OK; i++)
-        st = ix_mv_coerce(ctx, c[i], 2, c[i]->rational, &flat[i]);
-    c[0] = flat[0];
-    c[1] = flat[1];
-    if (st == IX_OK)
-        st = build(ctx, c, func, o ? o->max_cont : INT_MAX, out);
-    for (int i = 0; i < 2; i++)
-        ix_mv_unref(ctx, flat[i]);
+    IX_TRY(ix__plane_curves(ctx, 2, c, &flat));
+    st = build(ctx, (const ix_mv *const *)flat, func, o ? o->max_cont : INT_MAX,
+               out);
+    ix__mv_unref_all(ctx, flat, 2);
     return st;
 }
 
 ix_status ix_cbisector2d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                          int func, const ix_op_opts *o, ix_mv **out)
 {
-    const ix_mv *c[2] = {c1, c2};
+    const ix_mv *const c[2] = {c1, c2};
 
     *out = NULL;
-    for (int i = 0; i < 2; i++)
-        if (c[i]->ndirs != 1 || c[i]->ncoords < 2)
-            return IX_FAIL(ctx, IX_EARG,
-                           "operand %d has %d directions and %d coordinates: "
-                           "a curve with at least two is needed",
-                           i + 1, c[i]->ndirs, c[i]->ncoords);
     if (func < 1 || func > 4)
         return IX_FAIL(ctx, IX_EARG, "function %d: there are 1 to 4", func);
-    IX_RETURN_SCOPED(ctx, scoped(ctx, c1, c2, func, o, out));
+    IX_RETURN_SCOPED(ctx, scoped(ctx, c, func, o, out));
 }

@@ -4,9 +4,11 @@
 #include <math.h>
 
 #include "geom/lines.h"
+#include "geom/parts.h"
 #include "geom/path.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
+#include "ops/plane_bisector.h"
 #include "sym/form.h"
 
 /* Points farther away than this many sizes of both curves are left out. */
@@ -109,38 +111,24 @@ static ix_status run(ix_ctx *ctx, const ix_mv *const *c, double tol,
     return st;
 }
 
-static ix_status scoped(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
-                        double tol, bool facing, ix_lines *out)
+static ix_status scoped(ix_ctx *ctx, const ix_mv *const *c, double tol,
+                        bool facing, ix_lines *out)
 {
-    const ix_mv *c[2] = {c1, c2};
-    ix_mv *flat[2] = {NULL, NULL};
-    ix_status st = IX_OK;
+    ix_mv **flat;
+    ix_status st;
 
-    for (int i = 0; i < 2; i++)
-        if (c[i]->ndirs != 1 || c[i]->ncoords < 2)
-            return IX_FAIL(ctx, IX_EARG,
-                           "operand %d has %d directions and %d coordinates: "
-                           "a curve with at least two is needed",
-                           i + 1, c[i]->ndirs, c[i]->ncoords);
-    for (int i = 0; i < 2 && st == IX_OK; i++)
-        st = ix_mv_coerce(ctx, c[i], 2, c[i]->rational, &flat[i]);
-    c[0] = flat[0];
-    c[1] = flat[1];
-    if (st == IX_OK)
-        st = run(ctx, c, tol, facing, out);
-    for (int i = 0; i < 2; i++)
-        ix_mv_unref(ctx, flat[i]);
+    IX_TRY(ix__bisector_tol(ctx, tol, &tol));
+    IX_TRY(ix__plane_curves(ctx, 2, c, &flat));
+    st = run(ctx, (const ix_mv *const *)flat, tol, facing, out);
+    ix__mv_unref_all(ctx, flat, 2);
     return st;
 }
 
 ix_status ix_cbisector2d_curves(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                                 double tol, bool facing, ix_lines *out)
 {
+    const ix_mv *const c[2] = {c1, c2};
+
     *out = (ix_lines){0};
-    if (!(tol >= 0.0 && isfinite(tol)))
-        return IX_FAIL(ctx, IX_EARG,
-                       "a tolerance of %g: positive, or 0 for "
-                       "1e-4",
-                       tol);
-    IX_RETURN_SCOPED(ctx, scoped(ctx, c1, c2, tol, facing, out));
+    IX_RETURN_SCOPED(ctx, scoped(ctx, c, tol, facing, out));
 }

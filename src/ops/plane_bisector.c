@@ -31,17 +31,23 @@ ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out)
     return IX_OK;
 }
 
-ix_status ix__plane_curves(ix_ctx *ctx, int n, const ix_mv *const *crv,
-                           ix_mv ***out)
+ix_status ix__plane_check(ix_ctx *ctx, int n, const ix_mv *const *crv)
 {
-    ix_mv **m;
-
     for (int i = 0; i < n; i++)
         if (crv[i]->ndirs != 1 || crv[i]->ncoords < 2)
             return IX_FAIL(ctx, IX_EARG,
                            "operand %d has %d directions and %d coordinates: "
                            "a curve with at least two is needed",
                            i + 1, crv[i]->ndirs, crv[i]->ncoords);
+    return IX_OK;
+}
+
+ix_status ix__plane_curves(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                           ix_mv ***out)
+{
+    ix_mv **m;
+
+    IX_TRY(ix__plane_check(ctx, n, crv));
     IX_SCRATCH_ZERO(ctx, m, n);
     for (int i = 0; i < n; i++) {
         ix_status st = ix_mv_coerce(ctx, crv[i], 2, crv[i]->rational, &m[i]);

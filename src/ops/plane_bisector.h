@@ -22,6 +22,9 @@ double ix__own_parameter(const ix__set *s, const ix__sample *a);
 double ix__other_parameter(const ix__set *s, const ix__sample *a);
 /* The tolerance of the polylines, relative. Err IX_EARG negative, NaN. */
 ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out) IX_MUST_CHECK;
+/* IX_EARG unless all are curves with at least two coordinates. */
+ix_status ix__plane_check(ix_ctx *ctx, int n,
+                          const ix_mv *const *crv) IX_MUST_CHECK;
 /* Copies in scratch of n curves with two coordinates, released by the caller
  * with ix__mv_unref_all. */
 ix_status ix__plane_curves(ix_ctx *ctx, int n, const ix_mv *const *crv,

@@ -11,10 +11,12 @@
 
 #include "geom/angle.h"
 #include "geom/lines.h"
+#include "geom/parts.h"
 #include "iritx/contour.h"
 #include "iritx/ops.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
+#include "ops/plane_bisector.h"
 #include "sym/form.h"
 
 typedef struct {
@@ -197,27 +199,16 @@ static ix_status run(tilt *k, const ix_mv *const *c, double tol, ix_lines *out,
     return st;
 }
 
-static ix_status scoped(tilt *k, const ix_mv *c1, const ix_mv *c2, double tol,
+static ix_status scoped(tilt *k, const ix_mv *const *c, double tol,
                         ix_lines *out, double *error)
 {
-    const ix_mv *c[2] = {c1, c2};
-    ix_mv *flat[2] = {NULL, NULL};
-    ix_status st = IX_OK;
+    ix_mv **flat;
+    ix_status st;
 
-    for (int i = 0; i < 2; i++)
-        if (c[i]->ndirs != 1 || c[i]->ncoords < 2)
-            return IX_FAIL(k->ctx, IX_EARG,
-                           "operand %d has %d directions and %d coordinates: "
-                           "a curve with at least two is needed",
-                           i + 1, c[i]->ndirs, c[i]->ncoords);
-    for (int i = 0; i < 2 && st == IX_OK; i++)
-        st = ix_mv_coerce(k->ctx, c[i], 2, c[i]->rational, &flat[i]);
-    c[0] = flat[0];
-    c[1] = flat[1];
-    if (st == IX_OK)
-        st = run(k, c, tol, out, error);
-    for (int i = 0; i < 2; i++)
-        ix_mv_unref(k->ctx, flat[i]);
+    IX_TRY(ix__bisector_tol(k->ctx, tol, &tol));
+    IX_TRY(ix__plane_curves(k->ctx, 2, c, &flat));
+    st = run(k, (const ix_mv *const *)flat, tol, out, error);
+    ix__mv_unref_all(k->ctx, flat, 2);
     return st;
 }
 
@@ -226,6 +217,7 @@ ix_status ix_pln_bisect(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                         double *error)
 {
     tilt k = {.ctx = ctx, .eps = lift ? eps : IX__RADIANS(eps), .lift = lift};
+    const ix_mv *const c[2] = {c1, c2};
 
     *out = (ix_lines){0};
     if (!(fabs(eps) > 0.0 && isfinite(eps)) || (!lift && fabs(eps) >= 90.0))
@@ -233,10 +225,5 @@ ix_status ix_pln_bisect(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                        lift ? "a distance of %g: not 0, and finite"
                             : "an angle of %g degrees: not 0, below 90",
                        eps);
-    if (!(tol >= 0.0 && isfinite(tol)))
-        return IX_FAIL(ctx, IX_EARG,
-                       "a tolerance of %g: positive, or 0 for "
-                       "1e-4",
-                       tol);
-    IX_RETURN_SCOPED(ctx, scoped(&k, c1, c2, tol, out, error));
+    IX_RETURN_SCOPED(ctx, scoped(&k, c, tol, out, error));
 }
