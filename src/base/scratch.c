@@ -12,7 +12,7 @@
 #define GROWTH 0u
 #else
 #define CHUNK  65536u
-#define GROWTH 4u
+#define GROWTH 8u
 #endif
 /* Just below what the C library maps anew each time, whatever it has learned
  * (32 MB): it keeps blocks up to that, and twice as much free memory. */
@@ -56,7 +56,7 @@ void ix__scratch_release(ix_ctx *ctx, ix_mark mk)
         ctx->scratch->used = mk.used;
 }
 
-/* Chunks grow fourfold: then large work takes few of them, and the system's
+/* Chunks grow eightfold: then large work takes few of them, and the system's
  * allocator keeps the memory from one operation to the next (it gives back
  * what exceeds twice its largest block). */
 static size_t chunk_size(const ix_ctx *ctx, size_t need)

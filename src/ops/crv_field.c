@@ -387,20 +387,45 @@ static ix_status check_denominator(ix_ctx *ctx, const ix_curve *c,
     return IX_OK;
 }
 
+/* A builder, and how what it made scales. */
+typedef struct {
+    build_fn build;
+    int length, weight;
+    bool rational;
+} builder;
+
+/* Denominator, of rational fields, and numerator. */
+static ix_status field_forms(ix_ctx *ctx, const ix_curve *c, void *arg,
+                             ix_form *out)
+{
+    builder *b = arg;
+    field f;
+
+    IX_TRY(b->build(ctx, c, &f));
+    b->length = f.length;
+    b->weight = f.weight;
+    b->rational = f.f.rational;
+    if (b->rational)
+        out[0] = f.f.w;
+    out[1] = f.f.x;
+    return IX_OK;
+}
+
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_crv_field_kind kind,
                        ix_degree_form form, const ix_op_opts *o, int *dim,
                        ix_mv **out)
 {
     ix__curve_kind as = kind == IX_CRV_INFLECTION ? IX__CURVE_FLAT : IX__CURVE;
+    builder b = {.build = builders[kind][form]};
+    ix_form f;
     ix_curve c;
-    field f;
 
     IX_TRY(ix__curve_load(ctx, crv, as, form == IX_FORM_MINIMAL, &c));
     IX_TRY(check_denominator(ctx, &c, kind));
     *dim = c.dim;
-    IX_TRY(builders[kind][form](ctx, &c, &f));
-    return ix__rows_store(ctx, f.f.rational ? &f.f.w : NULL, &f.f.x,
-                          f.length * c.frame.exp + f.weight * c.wexp,
+    IX_TRY(ix__curve_forms(ctx, &c, field_forms, &b, &f));
+    return ix__rows_store(ctx, &f, b.rational,
+                          b.length * c.frame.exp + b.weight * c.wexp,
                           ix__join_rule(o), out);
 }
 

@@ -36,14 +36,11 @@ static ix_status rectifying(ix_ctx *ctx, const ix_curve *c, ix_form *out)
 }
 
 /* n x (w^2 p x V + Q D) over w^3 n.V; the ruling w^3 V. */
-static ix_status polar(ix_ctx *ctx, const ix_curve *c, ruled *out)
+static ix_status polar(ix_ctx *ctx, const ix_curve *c, const double n[3],
+                       ruled *out)
 {
-    const ix_spans *sp = &c->v.dirs[0];
-    const double dom[2] = {sp->breaks[0], sp->breaks[sp->nspans]};
     ix_form normal, w2, w3, pv, nv;
-    double n[3];
 
-    (void)ix__steady_normal(&c->v, dom, n);
     IX_TRY(ix__form_constant(ctx, &c->p, 3, n, &normal));
     IX_TRY(ix__form_power(ctx, &c->w, 2, &w2));
     IX_TRY(ix__form_power(ctx, &c->w, 3, &w3));
@@ -57,7 +54,7 @@ static ix_status polar(ix_ctx *ctx, const ix_curve *c, ruled *out)
 }
 
 static ix_status minimal(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind,
-                         ruled *out)
+                         const double normal[3], ruled *out)
 {
     static const int scale[][2] = {[IX_RULED_TANGENT] = {1, 1},
                                    [IX_RULED_NORMAL] = {3, 4},
@@ -81,7 +78,7 @@ static ix_status minimal(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind,
     case IX_RULED_RECTIFYING:
         return rectifying(ctx, c, &out->r);
     default:
-        return polar(ctx, c, out);
+        return polar(ctx, c, normal, out);
     }
 }
 
@@ -227,28 +224,52 @@ static ix_status check_spans(ix_ctx *ctx, const ix_curve *c, ix_ruled_kind kind)
     return IX_OK;
 }
 
+typedef struct {
+    ix_ruled_kind kind;
+    ix_degree_form form;
+    double normal[3];   /* of the planes that the minimal polar one starts in */
+    int length, weight; /* how the rulings scale */
+} choice;
+
+/* Weight, start and ruling. */
+static ix_status ruled_forms(ix_ctx *ctx, const ix_curve *c, void *arg,
+                             ix_form *out)
+{
+    choice *how = arg;
+    ruled s;
+
+    if (how->form == IX_FORM_PUBLISHED)
+        IX_TRY(published(ctx, c, how->kind, &s));
+    else if (how->form == IX_FORM_NAIVE)
+        IX_TRY(naive(ctx, c, how->kind, &s));
+    else
+        IX_TRY(minimal(ctx, c, how->kind, how->normal, &s));
+    how->length = s.length;
+    how->weight = s.weight;
+    out[0] = s.w;
+    out[1] = s.x;
+    out[2] = s.r;
+    return IX_OK;
+}
+
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_ruled_kind kind,
                        const double range[2], const ix_op_opts *o, ix_mv **out)
 {
+    choice how = {.kind = kind, .form = o->form};
+    ix_form f;
+    double dom[2];
     ix_curve c;
-    ruled s;
-    ix_ruled r;
 
     IX_TRY(ix__curve_load(ctx, crv, IX__CURVE_SPACE, o->form == IX_FORM_MINIMAL,
                           &c));
     IX_TRY(check_spans(ctx, &c, kind));
-    if (o->form == IX_FORM_PUBLISHED)
-        IX_TRY(published(ctx, &c, kind, &s));
-    else if (o->form == IX_FORM_NAIVE)
-        IX_TRY(naive(ctx, &c, kind, &s));
-    else
-        IX_TRY(minimal(ctx, &c, kind, &s));
-    r = (ix_ruled){.w = &s.w,
-                   .x = &s.x,
-                   .ruling = &s.r,
-                   .exp = (s.length - 1) * c.frame.exp + s.weight * c.wexp,
-                   .range = {range[0], range[1]}};
-    return ix__ruled_store(ctx, &c, &r, ix__join_rule(o), out);
+    ix_mv_domain(crv, 0, dom);
+    if (kind == IX_RULED_POLAR)
+        (void)ix__steady_normal(&c.v, dom, how.normal);
+    IX_TRY(ix__curve_forms(ctx, &c, ruled_forms, &how, &f));
+    return ix__ruled_store(ctx, &c, &f,
+                           (how.length - 1) * c.frame.exp + how.weight * c.wexp,
+                           range, ix__join_rule(o), out);
 }
 
 /* --- the report --------------------------------------------------------- */

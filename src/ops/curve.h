@@ -37,7 +37,8 @@ typedef struct {
     ix_form local; /* p minus a multiple of w on each span: D, V, T are the
                       same, without the cancellation of far points */
     ix_form d, v, q;
-    ix_extent *ew, *ed, *ev, *eq; /* [nspans] */
+    ix_form t; /* only where ix__curve_torsion was asked to fill it in */
+    ix_extent *ew, *ed, *ev, *eq, *et; /* [nspans] */
 } ix_curve;
 
 /* In the frame, with w, p, D, V, Q; constant weights count as polynomial if
@@ -60,6 +61,22 @@ ix_status ix__curve_torsion(ix_ctx *ctx, const ix_curve *c, ix_form *t,
 ix_status ix__curve_slope(ix_ctx *ctx, const ix_curve *c, const ix_form *a,
                           int power, ix_form *out) IX_MUST_CHECK;
 
+/* --- blocks of spans ---------------------------------------------------- */
+
+enum { IX__CURVE_FORMS = 3 };
+
+/* Makes up to IX__CURVE_FORMS forms of a curve, on its breaks; those that it
+ * leaves alone have no rows. What it computes on a span may depend on that span
+ * only (no mean lengths, no partials by U), degrees and exp on none. */
+typedef ix_status (*ix__curve_fn)(ix_ctx *ctx, const ix_curve *c, void *arg,
+                                  ix_form *out);
+/* The rows of all forms that fn makes, of one degree, in a form of its own
+ * (ix__form_join). Long curves are done in blocks of spans, so that
+ * intermediate forms take the memory of a block: fn is called several times,
+ * with parts of c. */
+ix_status ix__curve_forms(ix_ctx *ctx, const ix_curve *c, ix__curve_fn fn,
+                          void *arg, ix_form *out) IX_MUST_CHECK;
+
 /* --- extents ------------------------------------------------------------ */
 
 /* Of a form known to within error[nspans] (NULL: 0). */
@@ -81,23 +98,22 @@ typedef struct {
 } ix_join_rule;
 ix_join_rule ix__join_rule(const ix_op_opts *o);
 
-/* The rational curve x / w (x: c->dim rows) as a multivariate of the user's
- * space with ncoords coordinates: the sum of weights is positive, the largest
- * in [1/2, 1). */
-ix_status ix__curve_store(ix_ctx *ctx, const ix_curve *c, const ix_form *w,
-                          const ix_form *x, int ncoords, ix_join_rule rule,
+/* What is stored are the rows of one form, which is converted in place and no
+ * form afterwards. */
+
+/* The rational curve x / w (rows w, x; c->dim of x) as a multivariate of the
+ * user's space with ncoords coordinates: the sum of weights is positive, the
+ * largest in [1/2, 1). */
+ix_status ix__curve_store(ix_ctx *ctx, const ix_curve *c, ix_form *wx,
+                          int ncoords, ix_join_rule rule,
                           ix_mv **out) IX_MUST_CHECK;
-/* The surface (x + r (lo + v (hi - lo)) rule) / w, v in [0, 1]; rule is
- * multiplied by 2^exp first. */
-typedef struct {
-    const ix_form *w, *x, *ruling;
-    int exp;
-    double range[2];
-} ix_ruled;
-ix_status ix__ruled_store(ix_ctx *ctx, const ix_curve *c, const ix_ruled *r,
-                          ix_join_rule rule, ix_mv **out) IX_MUST_CHECK;
-/* The rows of x (over w unless NULL) times 2^exp as they are. */
-ix_status ix__rows_store(ix_ctx *ctx, const ix_form *w, const ix_form *x,
-                         int exp, ix_join_rule rule, ix_mv **out) IX_MUST_CHECK;
+/* The surface (x + (lo + v (hi - lo)) ruling) / w, v in [0, 1], of the rows w,
+ * x, ruling; the last is multiplied by 2^exp first. */
+ix_status ix__ruled_store(ix_ctx *ctx, const ix_curve *c, ix_form *wxr, int exp,
+                          const double range[2], ix_join_rule rule,
+                          ix_mv **out) IX_MUST_CHECK;
+/* The rows, the first of them a weight if rational, times 2^exp as they are. */
+ix_status ix__rows_store(ix_ctx *ctx, ix_form *rows, bool rational, int exp,
+                         ix_join_rule rule, ix_mv **out) IX_MUST_CHECK;
 
 #endif

@@ -57,20 +57,14 @@ static ix_status irit_joins(ix_ctx *ctx, ix_form *f, int max_cont)
     return IX_OK;
 }
 
-/* Control points of one or two forms joined, and their direction. */
-static ix_status points_of(ix_ctx *ctx, ix_form *f, ix_join_rule rule,
-                           ix_dir *dir, double **pts)
+/* The direction of the result. */
+static ix_status target(ix_ctx *ctx, ix_form *f, ix_join_rule rule, ix_dir *dir)
 {
     ix_sym_opts so = {rule.max_cont, 0};
-    const double *x;
 
     if (rule.irit)
         IX_TRY(irit_joins(ctx, f, rule.max_cont));
-    IX_TRY(ix__form_dirs(ctx, f, &so, dir));
-    IX_TRY(ix__form_points(ctx, f, dir, &x));
-    IX_SCRATCH(ctx, *pts, (size_t)f->nrows * (size_t)dir->length);
-    memcpy(*pts, x, (size_t)f->nrows * (size_t)dir->length * sizeof **pts);
-    return IX_OK;
+    return ix__form_dirs(ctx, f, &so, dir);
 }
 
 /* Positive sum of the first n (the weights), the largest in [1/2, 1). */
@@ -87,91 +81,101 @@ static void normalise(size_t n, size_t total, double *pts)
         pts[i] *= f;
 }
 
-/* Weights and coordinates in the frame, double[1 + dim][n], to a multivariate
- * of ncoords coordinates. */
-static ix_status make(ix_ctx *ctx, const ix_curve *c, int ndirs,
-                      const ix_dir *dirs, size_t n, double *pts, int ncoords,
-                      ix_mv **out)
+/* m if st is IX_OK and all its numbers are finite. */
+static ix_status finish(ix_ctx *ctx, ix_status st, ix_mv *m, ix_mv **out)
 {
-    size_t total = (size_t)(c->dim + 1) * n;
-    ix_mv *m;
+    if (st == IX_OK)
+        st = ix__check_finite(ctx, (size_t)m->naxes * m->npts, m->pts);
+    if (st == IX_OK)
+        *out = m;
+    else
+        ix_mv_unref(ctx, m);
+    return st;
+}
+
+/* The points in m, in the frame, to the user's space; a third coordinate is
+ * that of the curve's plane. */
+static void carry_back(const ix_curve *c, ix_mv *m)
+{
+    double *pts = m->pts;
+    size_t n = m->npts, total = (size_t)(c->dim + 1) * n;
 
     ix__frame_back(&c->frame, 1.0, n, pts, pts + n);
-    IX_TRY(ix__check_finite(ctx, total, pts));
-    IX_TRY(ix__mv_alloc(ctx, ndirs, dirs, ncoords, true, &m));
-    memcpy(m->pts, pts, total * sizeof *pts);
-    for (size_t i = 0; c->dim < ncoords && i < n; i++)
-        m->pts[total + i] = c->z * pts[i];
-    *out = m;
-    return IX_OK;
+    for (size_t i = 0; c->dim < m->ncoords && i < n; i++)
+        pts[total + i] = c->z * pts[i];
 }
 
-ix_status ix__curve_store(ix_ctx *ctx, const ix_curve *c, const ix_form *w,
-                          const ix_form *x, int ncoords, ix_join_rule rule,
-                          ix_mv **out)
+ix_status ix__curve_store(ix_ctx *ctx, const ix_curve *c, ix_form *wx,
+                          int ncoords, ix_join_rule rule, ix_mv **out)
 {
-    const ix_form *parts[2] = {w, x};
-    ix_form all;
+    ix_status st;
     ix_dir dir;
-    double *pts;
-    size_t n;
+    ix_mv *m;
 
-    IX_TRY(ix__form_join(ctx, 2, parts, &all));
-    IX_TRY(points_of(ctx, &all, rule, &dir, &pts));
-    n = (size_t)dir.length;
-    normalise(n, (size_t)(c->dim + 1) * n, pts);
-    return make(ctx, c, 1, &dir, n, pts, ncoords, out);
+    IX_TRY(target(ctx, wx, rule, &dir));
+    IX_TRY(ix__mv_alloc(ctx, 1, &dir, ncoords, true, &m));
+    st = ix__form_points_into(ctx, wx, &dir, m->pts);
+    if (st == IX_OK) {
+        normalise(m->npts, (size_t)wx->nrows * m->npts, m->pts);
+        carry_back(c, m);
+    }
+    return finish(ctx, st, m, out);
 }
 
-ix_status ix__ruled_store(ix_ctx *ctx, const ix_curve *c, const ix_ruled *r,
-                          ix_join_rule rule, ix_mv **out)
+/* Rows w, x and the ruling, double[1 + 2 dim][n], to double[1 + dim][2][n]. */
+static void both_ends(int dim, size_t n, const double *in, int exp,
+                      const double range[2], double *pts)
 {
-    const ix_form *parts[3] = {r->w, r->x, r->ruling};
-    int dim = c->dim;
-    ix_form all;
-    ix_dir dirs[2];
-    double *in, *pts;
-    size_t n;
-
-    IX_TRY(ix__form_join(ctx, 3, parts, &all));
-    IX_TRY(points_of(ctx, &all, rule, dirs, &in));
-    n = (size_t)dirs[0].length;
-    normalise(n, (size_t)(2 * dim + 1) * n, in);
-    dirs[1] = ix__dir_linear(dirs[0].basis == IX_BEZIER);
-    IX_SCRATCH(ctx, pts, 2 * (size_t)(dim + 1) * n);
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < n; i++) {
-            double f = ldexp(r->range[k], r->exp);
+            double f = ldexp(range[k], exp);
 
             pts[k * n + i] = in[i];
             for (size_t a = 1; a <= (size_t)dim; a++)
                 pts[(2 * a + k) * n + i] = in[a * n + i] +
                                            f * in[(a + (size_t)dim) * n + i];
         }
-    return make(ctx, c, 2, dirs, 2 * n, pts, 3, out);
 }
 
-ix_status ix__rows_store(ix_ctx *ctx, const ix_form *w, const ix_form *x,
-                         int exp, ix_join_rule rule, ix_mv **out)
+ix_status ix__ruled_store(ix_ctx *ctx, const ix_curve *c, ix_form *wxr, int exp,
+                          const double range[2], ix_join_rule rule, ix_mv **out)
 {
-    const ix_form *parts[2] = {w, x};
-    ix_form all;
-    ix_dir dir;
-    double *pts;
+    ix_dir dirs[2];
+    double *in;
     size_t n;
     ix_mv *m;
-    int first = w ? 1 : 0;
 
-    IX_TRY(ix__form_join(ctx, w ? 2 : 1, parts + !w, &all));
-    IX_TRY(points_of(ctx, &all, rule, &dir, &pts));
-    n = (size_t)dir.length;
-    for (size_t i = (size_t)first * n; i < (size_t)all.nrows * n; i++)
-        pts[i] = ldexp(pts[i], exp);
-    if (w)
-        normalise(n, (size_t)all.nrows * n, pts);
-    IX_TRY(ix__check_finite(ctx, (size_t)all.nrows * n, pts));
-    IX_TRY(ix__mv_alloc(ctx, 1, &dir, x->nrows, w != NULL, &m));
-    memcpy(m->pts, pts, (size_t)all.nrows * n * sizeof *pts);
-    *out = m;
-    return IX_OK;
+    IX_TRY(target(ctx, wxr, rule, dirs));
+    n = (size_t)dirs[0].length;
+    IX_SCRATCH(ctx, in, (size_t)wxr->nrows * n);
+    IX_TRY(ix__form_points_into(ctx, wxr, dirs, in));
+    normalise(n, (size_t)wxr->nrows * n, in);
+    dirs[1] = ix__dir_linear(dirs[0].basis == IX_BEZIER);
+    IX_TRY(ix__mv_alloc(ctx, 2, dirs, 3, true, &m));
+    both_ends(c->dim, n, in, exp, range, m->pts);
+    carry_back(c, m);
+    return finish(ctx, IX_OK, m, out);
+}
+
+ix_status ix__rows_store(ix_ctx *ctx, ix_form *rows, bool rational, int exp,
+                         ix_join_rule rule, ix_mv **out)
+{
+    size_t first, all;
+    ix_status st;
+    ix_dir dir;
+    ix_mv *m;
+
+    IX_TRY(target(ctx, rows, rule, &dir));
+    IX_TRY(ix__mv_alloc(ctx, 1, &dir, rows->nrows - (rational ? 1 : 0),
+                        rational, &m));
+    st = ix__form_points_into(ctx, rows, &dir, m->pts);
+    if (st == IX_OK) {
+        first = rational ? m->npts : 0;
+        all = (size_t)rows->nrows * m->npts;
+        for (size_t i = first; i < all; i++)
+            m->pts[i] = ldexp(m->pts[i], exp);
+        if (rational)
+            normalise(m->npts, all, m->pts);
+    }
+    return finish(ctx, st, m, out);
 }

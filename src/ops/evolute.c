@@ -92,19 +92,24 @@ static ix_status minimal_in_plane(ix_ctx *ctx, const ix_curve *c,
     return over_weight(ctx, c, &k, &r, out);
 }
 
-static ix_status minimal(ix_ctx *ctx, const ix_curve *c, fraction *out)
-{
+/* Which formula, decided for the curve as a whole. */
+typedef struct {
+    ix_degree_form form;
+    bool planar; /* a space curve in a plane with this normal */
     double normal[3];
-    bool planar;
+} choice;
+
+static ix_status minimal(ix_ctx *ctx, const ix_curve *c, const choice *how,
+                         fraction *out)
+{
     ix_form r, v;
 
     if (c->dim == 2) {
         IX_TRY(ix__form_turned(ctx, &c->q, &c->d, &r));
         return over_weight(ctx, c, &c->v, &r, out);
     }
-    IX_TRY(in_plane(ctx, c, normal, &planar));
-    if (planar)
-        return minimal_in_plane(ctx, c, normal, out);
+    if (how->planar)
+        return minimal_in_plane(ctx, c, how->normal, out);
     IX_TRY(ix__form_cross(ctx, &c->v, &c->d, &r));
     IX_TRY(ix__form_mul(ctx, &r, &c->q, &r));
     IX_TRY(ix__form_dot(ctx, &c->v, &c->v, &v));
@@ -175,6 +180,23 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, bool irit, fraction *out)
     return IX_OK;
 }
 
+static ix_status centres(ix_ctx *ctx, const ix_curve *c, void *arg,
+                         ix_form *out)
+{
+    const choice *how = arg;
+    fraction f;
+
+    if (how->form == IX_FORM_MINIMAL)
+        IX_TRY(minimal(ctx, c, how, &f));
+    else if (how->form == IX_FORM_PUBLISHED)
+        IX_TRY(published(ctx, c, &f));
+    else
+        IX_TRY(naive(ctx, c, how->form == IX_FORM_IRIT, &f));
+    out[0] = f.w;
+    out[1] = f.x;
+    return IX_OK;
+}
+
 /* --- degenerate input --------------------------------------------------- */
 
 static ix_status check_curved(ix_ctx *ctx, const ix_curve *c)
@@ -194,20 +216,18 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
                        const ix_op_opts *o, ix_mv **out)
 {
     bool irit = form == IX_FORM_IRIT;
-    fraction f;
+    choice how = {.form = form};
+    ix_form f;
     ix_curve c;
 
     IX_TRY(ix__curve_load(ctx, crv, irit ? IX__CURVE_SPACE : IX__CURVE,
                           form == IX_FORM_MINIMAL, &c));
     IX_TRY(check_curved(ctx, &c));
-    if (form == IX_FORM_MINIMAL)
-        IX_TRY(minimal(ctx, &c, &f));
-    else if (form == IX_FORM_PUBLISHED)
-        IX_TRY(published(ctx, &c, &f));
-    else
-        IX_TRY(naive(ctx, &c, irit, &f));
-    return ix__curve_store(ctx, &c, &f.w, &f.x, irit ? 3 : c.ncoords,
-                           ix__join_rule(o), out);
+    if (form == IX_FORM_MINIMAL && c.dim == 3)
+        IX_TRY(in_plane(ctx, &c, how.normal, &how.planar));
+    IX_TRY(ix__curve_forms(ctx, &c, centres, &how, &f));
+    return ix__curve_store(ctx, &c, &f, irit ? 3 : c.ncoords, ix__join_rule(o),
+                           out);
 }
 
 /* --- the report --------------------------------------------------------- */

@@ -28,14 +28,13 @@ static ix_status add_point(ix_ctx *ctx, const ix_curve *c, const ix_form *a,
     return ix__form_mul(ctx, a, &c->w, &out->w);
 }
 
-static ix_status minimal(ix_ctx *ctx, const ix_curve *c, const ix_form *t,
-                         ix_frac *out)
+static ix_status minimal(ix_ctx *ctx, const ix_curve *c, ix_frac *out)
 {
     ix_form y, w3, a;
 
     IX_TRY(ix__curve_slope(ctx, c, &c->v, 1, &y));
     IX_TRY(ix__form_power(ctx, &c->w, 3, &w3));
-    IX_TRY(ix__form_mul(ctx, t, &w3, &a));
+    IX_TRY(ix__form_mul(ctx, &c->t, &w3, &a));
     return add_point(ctx, c, &a, -1, &y, out);
 }
 
@@ -85,13 +84,30 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_frac *out)
     return ix__ratio_add(ctx, &x, 1, &y, out);
 }
 
-static ix_status check_torsion(ix_ctx *ctx, const ix_curve *c,
-                               const ix_extent *e)
+/* Weight and numerators by the degree form in arg. */
+static ix_status fraction(ix_ctx *ctx, const ix_curve *c, void *arg,
+                          ix_form *out)
+{
+    const ix_degree_form *form = arg;
+    ix_frac f;
+
+    if (*form == IX_FORM_PUBLISHED)
+        IX_TRY(published(ctx, c, &f));
+    else if (*form == IX_FORM_NAIVE)
+        IX_TRY(naive(ctx, c, &f));
+    else
+        IX_TRY(minimal(ctx, c, &f));
+    out[0] = f.w;
+    out[1] = f.x;
+    return IX_OK;
+}
+
+static ix_status check_torsion(ix_ctx *ctx, const ix_curve *c)
 {
     const ix_spans *sp = &c->p.dirs[0];
 
     for (int j = 0; j < sp->nspans; j++)
-        if (ix__extent_is_zero(e[j]))
+        if (ix__extent_is_zero(c->et[j]))
             return IX_FAIL(ctx, IX_EDOMAIN,
                            "the curve lies in a plane over [%g, %g]: the "
                            "centres of its osculating spheres are at infinity",
@@ -103,22 +119,15 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
                        const ix_op_opts *o, ix_mv **out)
 {
     ix_op_opts own = {form, o ? o->max_cont : INT_MAX};
-    ix_frac f = {.rational = true};
-    ix_extent *e;
+    ix_form f;
     ix_curve c;
-    ix_form t;
 
     IX_TRY(
         ix__curve_load(ctx, crv, IX__CURVE_SPACE, form == IX_FORM_MINIMAL, &c));
-    IX_TRY(ix__curve_torsion(ctx, &c, &t, &e));
-    IX_TRY(check_torsion(ctx, &c, e));
-    if (form == IX_FORM_PUBLISHED)
-        IX_TRY(published(ctx, &c, &f));
-    else if (form == IX_FORM_NAIVE)
-        IX_TRY(naive(ctx, &c, &f));
-    else
-        IX_TRY(minimal(ctx, &c, &t, &f));
-    return ix__curve_store(ctx, &c, &f.w, &f.x, 3, ix__join_rule(&own), out);
+    IX_TRY(ix__curve_torsion(ctx, &c, &c.t, &c.et));
+    IX_TRY(check_torsion(ctx, &c));
+    IX_TRY(ix__curve_forms(ctx, &c, fraction, &form, &f));
+    return ix__curve_store(ctx, &c, &f, 3, ix__join_rule(&own), out);
 }
 
 /* The three equations, each relative to the largest of its terms. */

@@ -57,14 +57,25 @@ static double reach(const ix_form *f, const ix_form *w)
     return best;
 }
 
+/* The rulings from the apex, as far as range says. */
+static ix_status nappe(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *x,
+                       const ix_form *ruling, const double range[2],
+                       ix_mv **out)
+{
+    const ix_form *parts[3] = {&c->c.w, x, ruling};
+    ix_join_rule rule = {false, INT_MAX};
+    ix_form all;
+
+    IX_TRY(ix__form_join(ctx, 3, parts, &all));
+    return ix__ruled_store(ctx, &c->c, &all, -c->c.frame.exp, range, rule, out);
+}
+
 static ix_status nappes(ix_ctx *ctx, const double apex[3], const ix_mv *circle,
                         const double u[3], double size, ix_mv *out[2])
 {
-    ix_join_rule rule = {false, INT_MAX};
     ix_form ruling, x;
-    double at[3];
+    double at[3], range[2] = {0.0, 0.0};
     ix_pt_crv c;
-    ix_ruled s = {.w = &c.c.w, .x = &x, .ruling = &ruling};
 
     IX_TRY(ix__pt_crv_load(ctx, circle, IX__CURVE_SPACE, u, 0.5, true, &c));
     IX_TRY(ix__pt_crv_ruling(ctx, &c, &ruling));
@@ -72,11 +83,10 @@ static ix_status nappes(ix_ctx *ctx, const double apex[3], const ix_mv *circle,
         at[k] = ldexp(apex[k] - c.c.frame.shift[k], -c.c.frame.exp);
     IX_TRY(ix__form_constant(ctx, &c.c.w, 3, at, &x));
     IX_TRY(ix__form_mul(ctx, &x, &c.c.w, &x));
-    s.exp = -c.c.frame.exp;
-    s.range[1] = size / reach(&ruling, &c.c.w);
-    IX_TRY(ix__ruled_store(ctx, &c.c, &s, rule, &out[0]));
-    s.range[1] = -s.range[1];
-    if (ix__ruled_store(ctx, &c.c, &s, rule, &out[1]) == IX_OK)
+    range[1] = size / reach(&ruling, &c.c.w);
+    IX_TRY(nappe(ctx, &c, &x, &ruling, range, &out[0]));
+    range[1] = -range[1];
+    if (nappe(ctx, &c, &x, &ruling, range, &out[1]) == IX_OK)
         return IX_OK;
     ix_mv_unref(ctx, out[0]);
     out[0] = NULL;

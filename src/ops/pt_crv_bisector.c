@@ -86,6 +86,8 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, const double q[2],
     ix_join_rule rule = ix__join_rule(o);
     ix_pt_crv c;
     fraction f;
+    const ix_form *parts[2] = {&f.w, &f.x};
+    ix_form all;
 
     IX_TRY(ix__pt_crv_load(ctx, crv, IX__CURVE_FLAT, q, alpha,
                            o->form == IX_FORM_MINIMAL, &c));
@@ -95,8 +97,9 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, const double q[2],
         IX_TRY(published(ctx, &c, &f));
     else
         IX_TRY(naive(ctx, &c, o->form == IX_FORM_IRIT, &f));
+    IX_TRY(ix__form_join(ctx, 2, parts, &all));
     rule.max_cont = o->max_cont; /* IRIT keeps continuity here */
-    return ix__curve_store(ctx, &c.c, &f.w, &f.x, 2, rule, out);
+    return ix__curve_store(ctx, &c.c, &all, 2, rule, out);
 }
 
 static ix_status compare(ix_ctx *ctx, const ix_probe *at, const void *arg,

@@ -278,12 +278,12 @@ typedef struct {
 static ix_status build(ix_ctx *ctx, const task *k, ix_mv **out)
 {
     ix_join_rule rule = ix__join_rule(&k->o);
-    ix_form ruling;
+    ix_form ruling, all;
     ix_ruling r = k->r;
     ix_pt_crv c;
-    ix_ruled s;
     double dom[2];
     ruled f;
+    const ix_form *parts[3] = {&f.w, &f.x, &f.r};
 
     IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha,
                            k->o.form == IX_FORM_MINIMAL, &c));
@@ -292,9 +292,9 @@ static ix_status build(ix_ctx *ctx, const task *k, ix_mv **out)
     ix_mv_domain(k->crv, 0, dom);
     choose_normal(&ruling, dom, &r);
     IX_TRY(solved(ctx, &c, k->o.form, &ruling, &r, &f));
-    s = (ix_ruled){&f.w, &f.x, &f.r, f.exp, {r.range[0], r.range[1]}};
+    IX_TRY(ix__form_join(ctx, 3, parts, &all));
     rule.max_cont = k->o.max_cont; /* IRIT keeps continuity here */
-    return ix__ruled_store(ctx, &c.c, &s, rule, out);
+    return ix__ruled_store(ctx, &c.c, &all, f.exp, r.range, rule, out);
 }
 
 /* --- the report ------------------------------------------------------------

@@ -96,6 +96,9 @@ ix_status ix__form_dirs(ix_ctx *ctx, const ix_form *f, const ix_sym_opts *o,
                         ix_dir *dirs) IX_MUST_CHECK;
 ix_status ix__form_points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
                           const double **out) IX_MUST_CHECK;
+/* The points into to; f is converted in place and no form afterwards. */
+ix_status ix__form_points_into(ix_ctx *ctx, ix_form *f, const ix_dir *dirs,
+                               double *to) IX_MUST_CHECK;
 /* IX_EDOMAIN if a number is infinite or NaN. */
 ix_status ix__check_finite(ix_ctx *ctx, size_t n,
                            const double *x) IX_MUST_CHECK;

@@ -107,16 +107,21 @@ static ix_status compose(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
     return IX_OK;
 }
 
-/* Control points double[nrows][points] of the result into to. */
+/* Control points double[nrows][points] of the result into to; Bernstein
+ * coefficients of splines into room, which may be the form's own place. */
 static ix_status points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
-                        double *to)
+                        double *room, double *to)
 {
     int last = last_composed(f);
-    const double *x;
+    const double *x = room;
 
     if (last < 0)
         return unscale(ctx, f, to);
-    IX_TRY(ix__form_bernstein(ctx, f, &x));
+    if (!room) {
+        IX_TRY(ix__form_bernstein(ctx, f, &x));
+    } else {
+        IX_TRY(unscale(ctx, f, room));
+    }
     for (int i = 0; i <= last; i++)
         if (f->dirs[i].nspans > 1)
             IX_TRY(compose(ctx, f, dirs, i, &x, i == last ? to : NULL));
@@ -138,9 +143,15 @@ ix_status ix__form_points(ix_ctx *ctx, const ix_form *f, const ix_dir *dirs,
     double *to;
 
     IX_SCRATCH(ctx, to, count_points(f, dirs));
-    IX_TRY(points(ctx, f, dirs, to));
+    IX_TRY(points(ctx, f, dirs, NULL, to));
     *out = to;
     return IX_OK;
+}
+
+ix_status ix__form_points_into(ix_ctx *ctx, ix_form *f, const ix_dir *dirs,
+                               double *to)
+{
+    return points(ctx, f, dirs, f->c, to);
 }
 
 ix_status ix__check_finite(ix_ctx *ctx, size_t n, const double *x)
@@ -161,7 +172,7 @@ ix_status ix__form_store(ix_ctx *ctx, const ix_form *f, bool rational,
     IX_TRY(ix__form_dirs(ctx, f, o, dirs));
     IX_TRY(ix__mv_alloc(ctx, f->ndirs, dirs, f->nrows - (rational ? 1 : 0),
                         rational, &m));
-    st = points(ctx, f, dirs, m->pts);
+    st = points(ctx, f, dirs, NULL, m->pts);
     if (st == IX_OK)
         st = ix__check_finite(ctx, (size_t)m->naxes * m->npts, m->pts);
     if (st != IX_OK) {

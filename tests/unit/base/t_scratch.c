@@ -78,7 +78,7 @@ static ix_status nested(ix_ctx *ctx, void *state)
 {
     double *p;
 
-    (void)state; /* chunks grow fourfold: each request needs a new one */
+    (void)state; /* none fits what the chunks before it, eightfold, leave */
     for (int n = 20000; n <= 2500000; n *= 5)
         IX_SCRATCH(ctx, p, n);
     return IX_OK;
