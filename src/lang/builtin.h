@@ -37,8 +37,12 @@ typedef ix_status (*ix_builtin_fn)(ix_call *c);
 enum {
     IX_B_SOFT = IX_PLUGIN_SOFT, /* a failure prints its message, gives no value,
                         and the script goes on (spec/language 9, "soft") */
-    IX_B_LIBRARY = 2 /* start-up library: a script may define a function of
+    IX_B_LIBRARY = 2, /* start-up library: a script may define a function of
                         this name, which then goes first */
+    IX_B_LOCAL = 4, /* touches files, commands, the terminal or the script's own
+                        variables: not for calls from outside (lang/call.h) */
+    IX_B_STATE = 8 /* changes the interpreter's states: a call from outside must
+                       happen in the process that keeps them */
 };
 
 typedef struct {

@@ -442,7 +442,7 @@ const ix_builtin ix__builtins_list[] = {
     {"GETLINE", "type:num -> any",
      "Reads a line of standard input: 1, 3, 3 or 4 numbers as a NUMERIC_TYPE, "
      "POINT_TYPE, VECTOR_TYPE or PLANE_TYPE, anything else as a string.",
-     "v = getline(numeric_type);", b_getline, 0, 3},
+     "v = getline(numeric_type);", b_getline, IX_B_LOCAL, 3},
     {"GETNAME", "l:list i:num -> str", "The name of element i, from 1.",
      "a = 5: getname(list(a), 1);", b_getname, 0, 3},
     {"LIST", "elements:any... -> list",

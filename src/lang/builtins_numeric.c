@@ -77,7 +77,8 @@ const ix_builtin ix__builtins_numeric[] = {
     {"RANDOM", "min:num max:num -> num",
      "A pseudo-random number, uniform in [min, max); the state RandomInit "
      "starts the sequence, which is the same on every machine.",
-     "dummy = iritstate(\"RandomInit\", 1964): random(0, 1);", b_random, 0, 2},
+     "dummy = iritstate(\"RandomInit\", 1964): random(0, 1);", b_random,
+     IX_B_STATE, 2},
     {"SIN", "x:num -> num", "The sine of x radians.", "sin(pi / 6);", b_sin, 0,
      2},
     {"SQRT", "x:num -> num", "The square root of x; NaN below 0.", "sqrt(2);",

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "lang/call.h"
 #include "lang/interp_impl.h"
 
 typedef struct {
@@ -165,30 +166,13 @@ static ix_status unary(checker *k, ix__node *n, ix__types *t)
  * -------------------------------------------------------------------------------
  */
 
-static ix_status count_of_args(checker *k, const ix__node *n)
-{
-    const ix__sig *s = &n->u.bi->sig;
-    const ix_builtin *row = n->u.bi->row;
-    char count[32], sig[300];
-
-    if (n->n >= s->nmin && (s->nmax < 0 || n->n <= s->nmax))
-        return IX_OK;
-    if (s->nmax < 0)
-        (void)snprintf(count, sizeof count, "at least %d", s->nmin);
-    else if (s->nmax > s->nmin)
-        (void)snprintf(count, sizeof count, "%d to %d", s->nmin, s->nmax);
-    else
-        (void)snprintf(count, sizeof count, "%d", s->nmin);
-    return FAIL(k, n, "%s takes %s argument%s, got %d: %s", row->name, count,
-                s->nmin == 1 && s->nmax == 1 ? "" : "s", n->n,
-                ix__sig_text(row, sig, sizeof sig));
-}
-
 static ix_status builtin_call(checker *k, ix__node *n)
 {
     const ix__sig *s = &n->u.bi->sig;
+    ix_status st = ix__call_count(k->in->ctx, n->u.bi, n->n);
 
-    IX_TRY(count_of_args(k, n));
+    if (st != IX_OK)
+        return IX_AT(k->in, k->u, n->pos, st);
     for (int i = 0; i < n->n; i++) {
         ix__types t;
 

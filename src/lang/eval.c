@@ -7,7 +7,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "lang/host.h"
+#include "lang/call.h"
 #include "lang/interp_impl.h"
 
 #define FEW_ARGS    8                 /* without scratch memory */
@@ -220,66 +220,33 @@ static ix_status unary(ix_interp *in, ix__node *n, ix__val *v)
 static ix_status call_failed(ix_interp *in, const ix__node *n, const ix_call *c,
                              ix_status st)
 {
-    const ix_builtin *row = n->u.bi->row;
-    char msg[sizeof in->ctx->msg];
-    bool named = c->bad_arg > 0 && c->bad_arg <= n->n;
+    ix__pos pos = n->pos;
 
     if (in->exiting || in->place.set) /* an EXEC inside said all */
         return st;
-    memcpy(msg, ix_ctx_message(in->ctx), sizeof msg);
-    if (named)
-        (void)IX_FAIL(in->ctx, st, "argument %d of %s: %.400s", c->bad_arg,
-                      row->name, msg);
-    else
-        (void)IX_FAIL(in->ctx, st, "%s: %.400s", row->name, msg);
-    in->soft = row->flags & IX_B_SOFT && st != IX_ENOMEM && st != IX_ECANCEL;
+    if (ix__call_blame(n->u.bi, c, st))
+        pos = n->kid[c->bad_arg - 1]->pos;
+    in->soft = n->u.bi->row->flags & IX_B_SOFT && st != IX_ENOMEM &&
+               st != IX_ECANCEL;
     in->soft_node = n;
-    return IX_AT(in, in->unit, named ? n->kid[c->bad_arg - 1]->pos : n->pos,
-                 st);
-}
-
-ix_status ix__arg_mismatch(ix_interp *in, const ix__bi *bi, int i,
-                           ix__types got)
-{
-    char want[300], have[300];
-
-    return IX_FAIL(in->ctx, IX_EARG, "argument %d of %s must be %s, got %s",
-                   i + 1, bi->row->name,
-                   ix__types_text(ix__sig_arg(&bi->sig, i), want, sizeof want),
-                   ix__types_text(got, have, sizeof have));
-}
-
-static ix_status check_types(ix_interp *in, const ix__node *n,
-                             ix_obj *const *argv)
-{
-    const ix__bi *bi = n->u.bi;
-
-    for (int i = 0; i < n->n; i++) {
-        ix__types t = 1u << argv[i]->type;
-
-        if (t & ix__sig_arg(&bi->sig, i))
-            continue;
-        (void)ix__arg_mismatch(in, bi, i, t);
-        return IX_AT(in, in->unit, n->kid[i]->pos, IX_EARG);
-    }
-    return IX_OK;
+    return IX_AT(in, in->unit, pos, st);
 }
 
 static ix_status invoke(ix_interp *in, ix__node *n, ix_obj **argv, ix__val *v)
 {
     ix_call c = {.in = in, .ctx = in->ctx, .argc = n->n, .argv = argv};
     const ix__bi *bi = n->u.bi;
+    int bad = ix__call_misfit(bi, n->n, argv);
     ix_status st;
 
-    IX_TRY(check_types(in, n, argv));
-    in->here = n->pos;
-    ix__progress(in->ctx, bi->row->name, in->ctx->part);
-    st = bi->ext ? bi->ext(&ix__host, &c) : bi->row->fn(&c);
-    ix__progress(in->ctx, NULL, in->ctx->part);
-    if (st != IX_OK) {
-        ix__obj_unref(in->ctx, c.result);
-        return call_failed(in, n, &c, st);
+    if (bad < n->n) {
+        (void)ix__arg_mismatch(in, bi, bad, 1u << argv[bad]->type);
+        return IX_AT(in, in->unit, n->kid[bad]->pos, IX_EARG);
     }
+    in->here = n->pos;
+    st = ix__call_run(bi, &c);
+    if (st != IX_OK)
+        return call_failed(in, n, &c, st);
     v->o = c.result;
     v->none = !c.result;
     if (c.result)

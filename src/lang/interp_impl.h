@@ -128,9 +128,6 @@ typedef struct {
 /* The static check: undefined names, argument counts and types. */
 ix_status ix__check(ix_interp *in, ix__unit *u, const ix__checks *c,
                     ix__node *n) IX_MUST_CHECK;
-/* Records the message about argument i (0-based) of a set of wrong types. */
-ix_status ix__arg_mismatch(ix_interp *in, const ix__bi *bi, int i,
-                           ix__types got);
 /* The user function that a call of name would reach; compiles one of the
  * start-up library. *out NULL: none. */
 ix_status ix__fn_lookup(ix_interp *in, const char *name,

@@ -299,7 +299,7 @@ static ix_status b_genpllnstoplgons(ix_call *c)
     {                                                                          \
         name, "arguments:any... -> any",                                       \
             "Talks to a display client, of which there is none.", name "(0);", \
-            ix__no_client, IX_B_LIBRARY | IX_B_SOFT, 25                        \
+            ix__no_client, IX_B_LIBRARY | IX_B_SOFT | IX_B_LOCAL, 25           \
     }
 
 const ix_builtin ix__builtins_startup[] = {
