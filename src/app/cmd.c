@@ -4,6 +4,13 @@
 #include <string.h>
 
 static const command commands[] = {
+    {"--call", "[-v] [--limit S] IN OUT",
+     "answers the request in one file by another", cmd_call},
+    {"--irit-client", "[-v] [--idle S] [--limit S]",
+     "answers requests of the IRIT that started it by CLNTEXEC",
+     cmd_irit_client},
+    {"--pipes", "[-v] [--idle S] [--limit S] DIR",
+     "answers requests through named pipes in DIR", cmd_pipes},
     {"convert", "[--tol X] IN OUT",
      "reads one file and writes another; suffixes decide", cmd_convert},
     {"draw", "FILE... -o PICTURE",

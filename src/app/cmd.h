@@ -24,6 +24,9 @@ int cmd_complain(const ix_ctx *ctx);
 /* What the command is called with, for wrong arguments; returns 2. */
 int cmd_wrong_usage(const char *name);
 
+int cmd_call(ix_ctx *ctx, int argc, char **argv);
+int cmd_irit_client(ix_ctx *ctx, int argc, char **argv);
+int cmd_pipes(ix_ctx *ctx, int argc, char **argv);
 int cmd_convert(ix_ctx *ctx, int argc, char **argv);
 int cmd_draw(ix_ctx *ctx, int argc, char **argv);
 int cmd_degrees(ix_ctx *ctx, int argc, char **argv);

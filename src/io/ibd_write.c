@@ -13,7 +13,7 @@
 typedef struct {
     ix_buf *b;
     size_t start;
-    bool nonfinite;
+    bool nonfinite, peer;
     bool lost_curves, lost_knots; /* what the format has no place for */
 } writer;
 
@@ -578,7 +578,7 @@ static ix_status add_object(writer *w, const ix_obj *o)
     sync(w, o->type);
     IX_TRY(fill_block(w, o, &k));
     add_block(w, &k, IX_IBD_OBJECT);
-    add_string(w, o->name);
+    add_string(w, w->peer ? NULL : o->name);
     IX_TRY(end(w));
     IX_TRY(add_attrs(w, o->attrs));
     return add_payload(w, o);
@@ -586,9 +586,8 @@ static ix_status add_object(writer *w, const ix_obj *o)
 
 ix_status ix__ibd_write(ix_buf *b, const ix_obj *o, const ix_write_opts *opts)
 {
-    writer w = {.b = b, .start = ix__buf_total(b)};
+    writer w = {.b = b, .start = ix__buf_total(b), .peer = opts && opts->peer};
 
-    (void)opts; /* numbers are exact */
     IX_TRY(ix__obj_check_size(b->ctx, o, IX_MAX_DEPTH, IX_MAX_TEXT));
     IX_TRY(add_object(&w, o));
     if (w.lost_curves)

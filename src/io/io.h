@@ -19,6 +19,9 @@ typedef struct {
                     for ix__itd_tiny(float_format) */
     bool file;   /* true: the text can be read back (strings are escaped, NaN
                     and infinity refused); false: a dump for the eye */
+    bool peer;   /* with file: for IRIT's end of a conversation (message.h): no
+                    indentation, no names, strings that it accepts; of ".itd"
+                    and ".ibd" */
     double tol;  /* of formats that hold polygons: the largest distance from
                     the true shape; 0: 1/1000 of its size */
 } ix_write_opts;

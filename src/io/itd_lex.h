@@ -21,6 +21,8 @@ typedef struct {
     ix_ctx *ctx;
     ix__text t;
     int depth; /* of objects */
+    bool peer; /* a message of IRIT, where an object without a body is an empty
+                  list */
 } ix__lex;
 
 /* src stays the caller's. l is to be freed whatever this returns. */

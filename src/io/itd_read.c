@@ -3,6 +3,7 @@
  * IX_MAX_DEPTH; everything else is a loop. */
 #include "io/gather.h"
 #include "io/itd_read_impl.h"
+#include "io/message.h"
 
 /* --- entities --------------------------------------------------------- */
 
@@ -241,6 +242,7 @@ static ix_status read_geometry(ix__lex *l, const entity *e, ix_obj **out)
 
 /* --- objects ---------------------------------------------------------- */
 
+/* Objects without a body leave no trace in it: it may be empty. */
 static ix_status read_list(ix__lex *l, ix_obj **out)
 {
     ix_obj *list = ix__obj_list(l->ctx);
@@ -249,7 +251,7 @@ static ix_status read_list(ix__lex *l, ix_obj **out)
     if (!list)
         return IX_ENOMEM;
     st = ix__itdr_objects(l, list, true, "OBJECT");
-    if (st == IX_OK && list->u.list.n > 0)
+    if (st == IX_OK)
         *out = ix__obj_ref(list);
     ix__obj_unref(l->ctx, list);
     return st;
@@ -294,6 +296,8 @@ static ix_status read_object(ix__lex *l, ix_attr **attrs, ix_obj **out)
     IX_TRY(ix__itdr_attrs(l, attrs, NULL, NULL));
     IX_TRY(read_name(l, &name));
     IX_TRY(read_body(l, out));
+    if (!*out && l->peer)
+        IX_TRY(made(ix__obj_list(l->ctx), out));
     st = ix__lex_close(l, "] of the object");
     if (st != IX_OK || !*out)
         return st;
@@ -377,7 +381,7 @@ static ix_status read_file(ix__lex *l, ix_obj **out)
     ix__token t;
 
     IX_TRY(read_body(l, out));
-    if (!*out)
+    if (!*out || ((*out)->type == IX_OBJ_LIST && (*out)->u.list.n == 0))
         return ix__lex_fail(l, 0, "file empty: it holds no object");
     *out = unwrap(l->ctx, *out);
     IX_TRY(ix__lex_skip_junk(l, &t));
@@ -386,7 +390,7 @@ static ix_status read_file(ix__lex *l, ix_obj **out)
     return IX_OK;
 }
 
-ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
+static ix_status read_from(ix__input *src, bool peer, ix_obj **out)
 {
     ix_ctx *ctx = ix__input_ctx(src);
     ix_mark mk = ix__scratch_mark(ctx);
@@ -395,6 +399,7 @@ ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
 
     *out = NULL;
     st = ix__lex_init(&l, src);
+    l.peer = peer;
     if (st == IX_OK)
         st = read_file(&l, out);
     ix__lex_free(&l);
@@ -406,8 +411,24 @@ ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
     return st;
 }
 
+ix_status ix__itd_read_from(ix__input *src, ix_obj **out)
+{
+    return read_from(src, false, out);
+}
+
 ix_status ix__itd_read(ix_ctx *ctx, const char *fname, const char *text,
                        size_t n, ix_obj **out)
 {
     return ix__input_text(ctx, fname, text, n, ix__itd_read_from, out);
+}
+
+static ix_status peer_from(ix__input *src, ix_obj **out)
+{
+    return read_from(src, true, out);
+}
+
+ix_status ix__message_object(const ix__message *m, ix_obj **out)
+{
+    return ix__input_text(m->text.ctx, "message", m->text.data, m->text.len,
+                          peer_from, out);
 }

@@ -8,6 +8,7 @@
 #include "io/itd_write_impl.h"
 
 #define DEFAULT_FORMAT "%-16.14lg"
+#define PEER_TEXT      4000 /* of 4096, some of which backslashes may take */
 
 /* --- numbers ---------------------------------------------------------- */
 
@@ -60,6 +61,7 @@ ix_status ix__itdw_init(ix__itdw *w, ix_buf *b, const ix_write_opts *o)
     if (!o)
         return IX_OK;
     w->file = o->file;
+    w->peer = o->peer;
     w->shortest = !o->float_format;
     return w->shortest ? IX_OK : init_format(w, o);
 }
@@ -134,6 +136,8 @@ void ix__itd_number(ix_buf *b, const ix_write_opts *o, double v)
 
 void ix__itdw_indent(ix__itdw *w, int column)
 {
+    if (w->peer)
+        return;
     ix__buf_fill(w->b, '\t', (size_t)column / 8);
     ix__buf_fill(w->b, ' ', (size_t)column % 8);
 }
@@ -156,8 +160,23 @@ void ix__itdw_word(ix__itdw *w, const char *s)
         ix__buf_putc(w->b, w->file && ends_word(*s) ? '_' : *s);
 }
 
+/* IRIT gives up on longer texts, and on this byte. */
+static ix_status check_peer_text(const ix__itdw *w, const char *s, size_t n)
+{
+    if (n >= PEER_TEXT)
+        return IX_FAIL(w->b->ctx, IX_EUNABLE,
+                       "a string of %zu bytes: IRIT reads less than %d", n,
+                       PEER_TEXT);
+    if (n > 0 && memchr(s, 0xff, n))
+        return IX_FAIL(w->b->ctx, IX_EDOMAIN,
+                       "a string holds byte 0xff, which IRIT cannot read");
+    return IX_OK;
+}
+
 static ix_status put_escaped(ix__itdw *w, const char *s, size_t n)
 {
+    if (w->peer)
+        IX_TRY(check_peer_text(w, s, n));
     for (size_t i = 0; i < n; i++) {
         unsigned char c = (unsigned char)s[i];
 
@@ -166,6 +185,10 @@ static ix_status put_escaped(ix__itdw *w, const char *s, size_t n)
                            "a string holds control byte 0x%02x, which text "
                            "files cannot hold",
                            c);
+        if (w->peer && (c == '\n' || c == '\r')) {
+            ix__buf_putc(w->b, ' '); /* a line is the end of a string there */
+            continue;
+        }
         if (c == '"' || c == '\\' || c == '\n' || c == '\r')
             ix__buf_putc(w->b, '\\');
         ix__buf_putc(w->b, s[i]);

@@ -179,13 +179,25 @@ static ix_status write_body(ix__itdw *w, const ix_obj *o, int column)
     }
 }
 
+/* What makes a list empty when it is read (docs/itd.md 12); without contents it
+ * would vanish. */
+static void write_empty(ix__itdw *w, int column)
+{
+    ix__itdw_indent(w, column);
+    ix__buf_puts(w->b, "[OBJECT NONE\n");
+    ix__itdw_indent(w, column);
+    ix__buf_puts(w->b, "]\n");
+}
+
 ix_status ix__itdw_object(ix__itdw *w, const ix_obj *o, int column)
 {
     ix__itdw_indent(w, column);
     ix__buf_puts(w->b, "[OBJECT ");
     IX_TRY(ix__itdw_attrs(w, o->attrs, column));
-    ix__itdw_word(w, o->name);
+    ix__itdw_word(w, w->peer ? NULL : o->name);
     ix__buf_putc(w->b, '\n');
+    if (w->file && o->type == IX_OBJ_LIST && o->u.list.n == 0)
+        write_empty(w, column + 4);
     IX_TRY(write_body(w, o, column + 4));
     ix__itdw_indent(w, column);
     ix__buf_puts(w->b, "]\n");

@@ -12,7 +12,7 @@
 typedef struct {
     ix_buf *b;
     size_t start; /* bytes of b before */
-    bool shortest, file;
+    bool shortest, file, peer;
     bool nonfinite; /* some number was NaN or infinite */
     ix_numfmt fmt;  /* unless shortest */
     double tiny;

@@ -96,7 +96,7 @@ static void test_objects(void **state)
                 "[OBJECT A [NUMBER 1]] [OBJECT B [NUMBER 2]]");
     /* empty ones are dropped, also as elements */
     same_object("[OBJECT A [NUMBER 1]]",
-                "[OBJECT X] [OBJECT A [NUMBER 1]] [OBJECT Y [OBJECT Z]]");
+                "[OBJECT X] [OBJECT A [NUMBER 1]] [OBJECT Y]");
     /* bare geometry */
     same_object("[OBJECT NONE [NUMBER 1]]", "[NUMBER 1]");
     same_object("[OBJECT NONE [CURVE BEZIER 1 E1 [1]] [CURVE BEZIER 1 E1 [2]]]",
