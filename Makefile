@@ -146,9 +146,10 @@ RUN_prompt    = WITH_LIBEDIT=$(WITH_LIBEDIT) tests/prompt/run $(B)/iritx
 RUN_install   = CC='$(CC)' MAKE='$(MAKE)' tests/install/run
 RUN_draw      = tests/draw/run $(B)/iritx
 RUN_plugin    = CC='$(CC)' tests/plugin/run $(B)/iritx
+RUN_ipc       = CC='$(CC)' tests/ipc/run $(B)/iritx
 RUN_docs      = tests/docs/run $(B)/iritx
 RUN_lint      = CC='$(CC)' CXX='$(CXX)' scripts/dev/lint $(LIB)
-PARTS := unit selftest script golden reference published roundtrip hostile mutate prompt plugin $(if $(MODULE),draw) \
+PARTS := unit selftest script golden reference published roundtrip hostile mutate prompt plugin ipc $(if $(MODULE),draw) \
          $(if $(filter release,$(CFG)),install) docs lint
 
 check: all $(TESTS)                                 ## all tests; ends with "N passed, N failed"
@@ -160,7 +161,7 @@ coverage:                                           ## lines and branches that "
 check-unit: $(TESTS)                                ## unit tests only (MOD=sym for one floor)
 check-lint: $(LIB)                                  ## layers, headers, symbols, cited documents
 check-selftest:
-check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-prompt check-plugin check-draw check-docs check-install: $(PROG) $(MODULE)
+check-script check-golden check-reference check-published check-roundtrip check-hostile check-mutate check-prompt check-plugin check-ipc check-draw check-docs check-install: $(PROG) $(MODULE)
 $(addprefix check-,$(PARTS)): check-%:
 	@tests/harness/check "$(RUN_$*)"
 .PHONY: $(addprefix check-,$(PARTS))
@@ -228,7 +229,7 @@ install: all                                        ## into PREFIX (/usr/local),
 	for m in $(MAN); do $(FILL_IN) docs/man/$$m > $(D)/share/man/man$${m##*.}/$$m || exit 1; done
 	install -m 644 scripts/completion/iritx.bash $(D)/share/bash-completion/completions/iritx
 	[ ! -e $(WEB) ] || install -m 644 $(WEB) $(WEB:.js=.LICENSE) $(D)/share/iritx
-	for f in scripts/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
+	for f in scripts/*.irt irit_ext/*.irt; do [ ! -e "$$f" ] || install -m 644 "$$f" $(D)/share/iritx; done
 uninstall:                                          ## remove what "install" put there
 	rm -rf $(D)/include/iritx $(D)/share/iritx $(D)/share/doc/iritx $(D)/lib/pkgconfig/iritx.pc
 	rm -f $(D)/bin/iritx $(D)/lib/libiritx.a $(D)/lib/libiritx.so $(D)/lib/libiritx.so.*

@@ -29,6 +29,7 @@ typedef struct {
     char in[4096], out[4096]; /* names */
     bool made_in, made_out;   /* by us */
     wire w;                   /* from in */
+    int reader; /* out, opened for somebody who has asked again; -1: none */
 } channel;
 
 typedef struct {
@@ -114,6 +115,8 @@ static void close_all(pipes *p)
 
         if (c->w.fd >= 0)
             (void)close(c->w.fd);
+        if (c->reader >= 0)
+            (void)close(c->reader);
         if (c->made_in)
             (void)unlink(c->in);
         if (c->made_out)
@@ -153,9 +156,19 @@ static bool write_all(const pipes *p, int fd, const char *s, size_t n)
     return true;
 }
 
+/* Has the next request come? */
 static bool asked_again(pipes *p)
 {
-    return wire_pending(&p->c[TEXT].w) || wire_pending(&p->c[BINARY].w);
+    bool any = false;
+
+    for (int i = 0; i < FORMS; i++) {
+        channel *c = &p->c[i];
+
+        any = any || wire_pending(&c->w);
+        if (!any && c->w.ended && open_in(c) == IX_OK)
+            any = wire_pending(&c->w);
+    }
+    return any;
 }
 
 /* A short sleep at first: the usual reader comes at once. */
@@ -166,22 +179,42 @@ static void pause_for(double waited)
     (void)nanosleep(&t, NULL);
 }
 
-static void deliver(pipes *p, const channel *c, const ix_buf *out)
+static int take_reader(channel *c)
+{
+    int fd = c->reader;
+
+    c->reader = -1;
+    return fd >= 0 ? fd : open(c->out, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+}
+
+/* Gives the answer to who reads now. True: it is done with, one way or the
+ * other. Who has come after asking anew is kept for that answer: he would take
+ * this one for it, or an end of the pipe for an empty one. */
+static bool hand_over(pipes *p, channel *c, double waited, const ix_buf *out)
+{
+    int fd = take_reader(c);
+    bool stale = waited > GRACE && asked_again(p), ok = false;
+
+    if (fd >= 0 && !stale)
+        ok = write_all(p, fd, out->data, out->len);
+    if (fd >= 0 && stale)
+        c->reader = fd;
+    else if (fd >= 0)
+        (void)close(fd);
+    if (stale)
+        service_tell(&p->s, "an answer was not fetched");
+    return ok || stale;
+}
+
+static void deliver(pipes *p, channel *c, const ix_buf *out)
 {
     double start = service_clock(), waited = 0;
 
     while (ix__poll(p->s.ctx) == IX_OK && waited < FETCH) {
-        int fd = open(c->out, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-        bool ok = fd >= 0 && write_all(p, fd, out->data, out->len);
-
-        if (fd >= 0)
-            (void)close(fd);
-        if (ok)
+        if (hand_over(p, c, waited, out))
             return;
-        waited = service_clock() - start;
-        if (waited > GRACE && asked_again(p))
-            break;
         pause_for(waited);
+        waited = service_clock() - start;
     }
     service_tell(&p->s, "an answer was not fetched");
 }
@@ -286,6 +319,7 @@ int cmd_pipes(ix_ctx *ctx, int argc, char **argv)
     p.lock = -1;
     wire_init(&p.c[TEXT].w, ctx, -1, false, WIRE_TEXT);
     wire_init(&p.c[BINARY].w, ctx, -1, false, WIRE_BINARY);
+    p.c[TEXT].reader = p.c[BINARY].reader = -1;
     st = run(&p);
     close_all(&p);
     service_close(&p.s);

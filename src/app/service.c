@@ -246,18 +246,19 @@ ix_status service_refuse(service *s, double seq, const char *why, bool binary,
 
 /* --- computing ------------------------------------------------------------ */
 
-/* Operations that are no functions of scripts. True: *v is the value. */
-static bool own_operation(service *s, const char *op, ix_obj **v)
+/* Operations that are no functions of scripts. */
+static bool is_own(const char *op)
 {
-    bool quit = ix__name_cmp(op, "EXIT") == 0;
+    return ix__name_cmp(op, "EXIT") == 0 || ix__name_cmp(op, "PING") == 0 ||
+           ix__name_cmp(op, "VERSION") == 0;
+}
 
-    if (!quit && ix__name_cmp(op, "PING") != 0 &&
-        ix__name_cmp(op, "VERSION") != 0)
-        return false;
-    s->quit = s->quit || quit;
-    *v = ix__name_cmp(op, "VERSION") == 0 ? text_object(s->ctx, ix_version())
-                                          : ix__obj_number(s->ctx, 1);
-    return true;
+static ix_obj *own_value(service *s, const char *op)
+{
+    if (ix__name_cmp(op, "VERSION") == 0)
+        return text_object(s->ctx, ix_version());
+    s->quit = s->quit || ix__name_cmp(op, "EXIT") == 0;
+    return ix__obj_number(s->ctx, 1);
 }
 
 static ix_status value_of(service *s, const ix_obj *request, ix_obj **v)
@@ -265,8 +266,10 @@ static ix_status value_of(service *s, const ix_obj *request, ix_obj **v)
     const char *op = item(request, 2, IX_OBJ_STRING)->u.str.s;
     const ix_obj *args = item(request, 3, IX_OBJ_LIST);
 
-    if (own_operation(s, op, v))
+    if (is_own(op)) {
+        *v = own_value(s, op);
         return *v ? IX_OK : IX_ENOMEM;
+    }
     IX_TRY(ix__call_by_name(s->in, op, args ? args->u.list.n : 0,
                             args ? args->u.list.item : NULL, v));
     if ((*v)->type != IX_OBJ_UNDEF)
@@ -435,7 +438,7 @@ static bool stays_here(const ix_obj *request)
 {
     const char *op = item(request, 2, IX_OBJ_STRING)->u.str.s;
 
-    return ix__call_keeps_state(op) || !ix__builtin_find(op);
+    return is_own(op) || ix__call_keeps_state(op) || !ix__builtin_find(op);
 }
 
 ix_status service_answer(service *s, const ix_obj *request, bool binary,

@@ -116,8 +116,8 @@ bool wire_pending(wire *w)
 {
     while (!w->ended && readable(w, 0) && take(w))
         ;
-    while (w->at < w->in.len && strchr(" \t\r\n", w->in.data[w->at]) &&
-           w->in.data[w->at])
+    while (w->form == WIRE_TEXT && w->at < w->in.len &&
+           memchr(" \t\r\n", w->in.data[w->at], 4))
         w->at++;
     return w->at < w->in.len;
 }

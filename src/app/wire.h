@@ -34,7 +34,7 @@ typedef enum {
     WIRE_END     /* nothing more (w->ended), or not for now */
 } wire_event;
 wire_event wire_next(wire *w, ix_obj **o, double *seq);
-/* Has anything but blanks come, without waiting? */
+/* Has anything come, without waiting? Blanks between texts do not count. */
 bool wire_pending(wire *w);
 /* All of it; meanwhile reads what comes, for the peer may be writing, too.
  * False: the peer has left. */

@@ -69,8 +69,17 @@ static bool before_string(const ix__message *m)
     return n == sizeof word - 1 && memcmp(s, word, n) == 0;
 }
 
-/* The line that has just ended is the head of a request, in the third line of
- * one; where that begins. */
+/* The last "[OBJECT" of s[n]; NULL: there is none. */
+static const char *last_object(const char *s, size_t n)
+{
+    for (size_t i = n; i > 0; i--)
+        if (begins(s + i - 1, n - i + 1, "[OBJECT"))
+            return s + i - 1;
+    return NULL;
+}
+
+/* The line that has just ended is the head of a request, its third line, and
+ * the two before it agree; where they begin. */
 static bool head_ends(const ix__message *m, size_t *start)
 {
     static const char head[] = "[STRING \"" IX_MESSAGE_HEAD "\"]";
@@ -78,15 +87,15 @@ static bool head_ends(const ix__message *m, size_t *start)
     size_t n;
 
     s = trimmed(t + m->line[0], m->text.len - m->line[0], &n);
-    if (n != sizeof head - 1 || memcmp(s, head, n) != 0)
+    if (n != sizeof head - 1 || memcmp(s, head, n) != 0 ||
+        m->line[1] >= m->line[0] || m->line[2] >= m->line[1])
         return false;
-    for (int i = 1; i <= 2; i++) {
-        s = trimmed(t + m->line[i], m->line[i - 1] - 1 - m->line[i], &n);
-        if (m->line[i] >= m->line[i - 1] || !begins(s, n, "[OBJECT"))
-            return false;
-    }
-    *start = m->line[2];
-    return true;
+    s = trimmed(t + m->line[1], m->line[0] - m->line[1], &n);
+    if (!begins(s, n, "[OBJECT"))
+        return false;
+    s = last_object(t + m->line[2], m->line[1] - m->line[2]);
+    *start = s ? (size_t)(s - t) : 0;
+    return s != NULL;
 }
 
 /* What stood before was never finished. */
@@ -94,21 +103,26 @@ static void restart(ix__message *m, size_t start)
 {
     memmove(m->text.data, m->text.data + start, m->text.len - start + 1);
     m->text.len -= start;
-    for (int i = 0; i < 3; i++)
-        m->line[i] -= start;
+    m->line[2] = 0;
+    m->line[1] -= start;
+    m->line[0] -= start;
     m->depth = 2;
+    m->state = PLAIN;
 }
 
-static void next_line(ix__message *m)
+/* A line has ended. True: it turned out that a request begins in it. */
+static bool next_line(ix__message *m)
 {
     size_t start;
+    bool found = head_ends(m, &start) && start > 0;
 
-    if (m->depth != 2 && head_ends(m, &start))
+    if (found)
         restart(m, start);
     ix__buf_putc(&m->text, '\n');
     m->line[2] = m->line[1];
     m->line[1] = m->line[0];
     m->line[0] = m->text.len;
+    return found;
 }
 
 /* --- strings -------------------------------------------------------------- */
@@ -155,12 +169,18 @@ static void count_rest(ix__message *m, const char *s, const char *end)
 /* A line of a string has ended, and perhaps the string. */
 static ix_status end_string_line(ix__message *m)
 {
-    size_t end = string_end(m), rest;
+    size_t end = string_end(m), start, rest;
 
-    if (end == 0) {
-        ix__buf_putc(&m->text, ' '); /* a line end in the text */
-        m->part = m->text.len;
+    if (m->part > m->string && head_ends(m, &start)) {
+        (void)next_line(m);
         return ix__buf_check(&m->text);
+    }
+    if (end == 0) {
+        (void)next_line(m);
+        IX_TRY(ix__buf_check(&m->text));
+        m->text.data[m->text.len - 1] = ' '; /* a line end in the text */
+        m->part = m->text.len;
+        return IX_OK;
     }
     rest = m->text.len - end;
     IX_TRY(escape(m, end - 2));
@@ -169,7 +189,7 @@ static ix_status end_string_line(ix__message *m)
     count_rest(m, m->text.data + m->text.len - rest,
                m->text.data + m->text.len);
     if (m->depth > 0)
-        next_line(m);
+        (void)next_line(m);
     return ix__buf_check(&m->text);
 }
 
@@ -178,7 +198,7 @@ static ix_status end_string_line(ix__message *m)
 static void plain(ix__message *m, char c)
 {
     if (c == '\n') {
-        next_line(m);
+        (void)next_line(m);
         return;
     }
     if (c == '"') {
@@ -193,7 +213,7 @@ static void quoted(ix__message *m, char c)
 {
     if (c == '\n') { /* ends the text, too */
         m->state = PLAIN;
-        next_line(m);
+        (void)next_line(m);
         return;
     }
     if (m->state == ESCAPED || c == '\\')
