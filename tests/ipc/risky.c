@@ -1,4 +1,5 @@
-/* Functions that die, never end, or want memory: what a service must survive. */
+/* Functions that die, never end, or want memory: what a service must survive.
+ */
 #include <iritx/plugin.h>
 
 #include <signal.h>
