@@ -1,0 +1,217 @@
+/* builtins_envelope.c - envelopes of cones, adaptive isoparametric curves,
+ * curvature of level surfaces; and the functions that are known by name only
+ * (chapters 9 to 24 of spec/functions). */
+#include "geom/cone_envelope.h"
+#include "geom/iso_curvature.h"
+#include "geom/iso_curves.h"
+#include "lang/args_freeform.h"
+#include "mv/mv.h"
+
+static ix_status cenvoff(ix_call *c)
+{
+    double tol = ix__arg_num(c, 2);
+    ix_mv *s[2];
+    ix_obj *list;
+    ix_status st = IX_OK;
+
+    if (!(tol > 0))
+        return IX_ARG_FAIL(c, 2, "a tolerance of %g; it must be positive", tol);
+    IX_TRY(ix__cone_envelope(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1), tol,
+                             &s[0], &s[1]));
+    if (!s[1])
+        return ix__ret_mv(c, -1, s[0]);
+    list = ix__obj_list(c->ctx);
+    for (int k = 0; k < 2; k++) { /* both are taken over */
+        ix_obj *o = ix__obj_mv(c->ctx, IX_OBJ_SURFACE, s[k]);
+        ix_status added = ix__list_add(c->ctx, list, o);
+
+        st = st == IX_OK ? added : st;
+    }
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status add_iso(ix_call *c, int dir, double t, ix_obj *list)
+{
+    ix_mv *crv;
+    ix_obj *o;
+
+    IX_TRY(ix_mv_fix(c->ctx, ix__arg_mv(c, 0), dir, t, &crv));
+    o = ix__obj_mv(c->ctx, IX_OBJ_CURVE, crv);
+    if (o && ix__attr_set_real(c->ctx, &o->attrs, "IsoParam", t) != IX_OK) {
+        ix__obj_unref(c->ctx, o);
+        o = NULL;
+    }
+    return ix__list_add(c->ctx, list, o);
+}
+
+static ix_status adapiso(ix_call *c)
+{
+    ix_obj *list;
+    ix_status st;
+    double *t;
+    int dir, n;
+
+    if (!ix__arg_bool(c, 1))
+        return IX_ARG_FAIL(c, 1, "tilings are not known here; true is wanted");
+    IX_TRY(ix__arg_dir(c, 2, 2, &dir));
+    if (!ix__arg_bool(c, 4))
+        return IX_ARG_FAIL(c, 4,
+                           "parts of curves are not known here; true is "
+                           "wanted");
+    IX_TRY(ix__iso_params(c->ctx, ix__arg_mv(c, 0), dir, ix__arg_num(c, 3), &n,
+                          &t));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < n; i++)
+        st = add_iso(c, dir, t[i], list);
+    return ix__ret_list(c, list, st);
+}
+
+/* --- level surfaces
+ * ------------------------------------------------------------- */
+
+static ix_status ret_curvature(ix_call *c, const ix__level_point *p)
+{
+    ix_obj *list;
+    ix_status st;
+
+    if (!p->regular)
+        return IX_FAIL(c->ctx, IX_EDOMAIN,
+                       "the gradient is 0: no level surface passes there");
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < 2; i++)
+        st = ix__list_add_num(c->ctx, list, p->k[i]);
+    for (int i = 0; st == IX_OK && i < 2; i++)
+        st = ix__list_add(c->ctx, list, ix__obj_vector(c->ctx, p->dir[i]));
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status ret_hessian(ix_call *c, const ix__level_point *p)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < 3; i++)
+        st = ix__list_add(c->ctx, list,
+                          ix__obj_vector(c->ctx, p->hessian + 3 * i));
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status tcrvtr(ix_call *c)
+{
+    ix__level_point p;
+    double t[3];
+    int what;
+
+    IX_TRY(ix__arg_pt3(c, 1, t));
+    IX_TRY(ix__arg_int(c, 2, -1, 3, &what));
+    if (what < 1) /* nothing is to be prepared or ended */
+        return ix__ret_num(c, 1);
+    IX_TRY(ix__level_curvature(c->ctx, ix__arg_mv(c, 0), t, &p));
+    if (what == 1)
+        return ix__ret_vector(c, p.gradient);
+    return what == 2 ? ret_hessian(c, &p) : ret_curvature(c, &p);
+}
+
+/* --- names only
+ * ------------------------------------------------------------------ */
+
+static ix_status not_here(ix_call *c)
+{
+    return IX_FAIL(c->ctx, IX_EUNABLE,
+                   "this function is known by name only: this program does not "
+                   "do what it does");
+}
+
+#define ABSENT(name, sig, what, ex, chapter)                               \
+    {                                                                      \
+        name, sig, what ", which this program does not do.", ex, not_here, \
+            IX_B_SOFT, chapter                                             \
+    }
+#define C "c = circle(vector(0,0,0), 1); "
+#define S "s = spheresrf(1); "
+#define FIELD                                                                \
+    "t = tbezier(list(list(list(ctlpt(E1,0), ctlpt(E1,1)), "                 \
+    "list(ctlpt(E1,2), ctlpt(E1,5))), list(list(ctlpt(E1,3), ctlpt(E1,4)), " \
+    "list(ctlpt(E1,0), ctlpt(E1,1))))); "
+
+const ix_builtin ix__builtins_envelope[] = {
+    {"CENVOFF", "c:curve height:num tol:num -> surface|list",
+     "The envelope of 45 degree cones with their apices on a smooth planar "
+     "curve, from z = 0 up to a height: offsets by the height, within tol, lie "
+     "at its upper end. An open curve gives one surface, its ends included; a "
+     "closed one list(left, right of its direction).",
+     C "l = cenvoff(c, 0.2, 0.01);", cenvoff, 0, 20},
+    {"ADAPISO",
+     "s:surface genIsos:bool dir:num eps:num full:bool single:bool "
+     "weight:list -> list",
+     "Whole isoparametric curves of fixed COL (u) or ROW (v), with attribute "
+     "IsoParam, so dense that neighbours are within eps of each other (a "
+     "bound). genIsos and full must be true, the last two arguments are not "
+     "needed.",
+     S "l = adapiso(s, true, COL, 0.5, true, false, nil());", adapiso, 0, 13},
+    {"TCRVTR", "t:trivar p:pt3 what:num -> any",
+     "Of a scalar trivariate at parameters p: 1 the gradient, 2 the rows of "
+     "the Hessian, 3 the principal curvatures of the level surface, for the "
+     "normal along the gradient, and their directions, list(k1, k2, d1, d2); "
+     "-1 and 0, which would prepare and end, give 1.",
+     FIELD "l = tcrvtr(t, point(0.4, 0.3, 0.6), 3);", tcrvtr, 0, 15},
+
+    ABSENT("ANALYFIT", "uv:list pts:list fit:num center:num -> list",
+           "Fits analytic forms to points with parameters",
+           "l = analyfit(nil(), nil(), 1, 0);", 24),
+    ABSENT("BLSHERMITE",
+           "s:surface pc:curve section:curve tanScale:num width:num|curve "
+           "height:num|curve -> surface",
+           "Raises a rib along a curve on a surface",
+           S C "r = blshermite(s, c, c, 1, 0.1, 0.1);", 11),
+    ABSENT("C2RECTRGN",
+           "crvs:list angDev:num outType:num size:num smooth:num -> any",
+           "Tiles a planar region with quadrilaterals",
+           C "o = c2rectrgn(list(c), 30, 1, 0.3, 0);", 9),
+    ABSENT("CARNGMNT2", "crvs:any op:num params:list -> any",
+           "Keeps an arrangement of curves and works on it (see CARRANGMNT)",
+           C "a = carngmnt2(list(c), 1, list(1e-3, 1e-3, true, 7));", 9),
+    ABSENT("CCRVTR1PT",
+           "c:curve idx:num min:num max:num subdiv:num numer:num op:num -> "
+           "any",
+           "Shows where one control point keeps a curve convex",
+           C "m = ccrvtr1pt(c, 1, -1, 3, 0.1, 1e-6, 1);", 9),
+    ABSENT("MOFFSET", "c:curve d:num angTol:num -> curve",
+           "Offsets by matching tangents with an arc's (see OFFSET)",
+           C "o = moffset(c, 0.2, 10);", 20),
+    ABSENT("PTS2PLYS", "pts:list tol:num -> list",
+           "Joins points of four or six coordinates (see PTS2PLLN)",
+           "l = pts2plys(list(ctlpt(E4,0,0,0,0), ctlpt(E4,0,0,0,1)), 2);", 23),
+    ABSENT("RULEDFIT", "s:surface dir:num extend:num samples:num -> surface",
+           "Fits one ruled surface (PRISA makes several)",
+           S "r = ruledfit(s, COL, 0, 20);", 13),
+    ABSENT("SASPCTGRPH", "s:surface -> poly",
+           "Divides the sphere of views by how silhouettes look",
+           S "o = saspctgrph(s);", 13),
+    ABSENT("SFLECNODAL",
+           "s:surface subdiv:num numer:num merge:num contact:num univar:bool "
+           "-> poly",
+           "Finds asymptotic tangents of higher contact",
+           S "o = sflecnodal(s, 0.1, -1e-6, 0.1, 3, false);", 19),
+    ABSENT("SRADCRVTR",
+           "s:surface view:vector subdiv:num numer:num merge:num -> list",
+           "Finds lines of radial curvature",
+           S "l = sradcrvtr(s, vector(1,0,1), 0.1, -1e-6, 0.1);", 19),
+    ABSENT("SVISIBLE", "s:surface resolution:num coneDeg:num -> list",
+           "Divides a surface into parts that one direction sees",
+           S "l = svisible(s, 10, 0.5);", 13),
+    ABSENT("TINTERP",
+           "t:trivar|list ul:num vl:num wl:num uo:num vo:num wo:num -> "
+           "trivar",
+           "Interpolates by a trivariate (see TINTPSRFS)",
+           FIELD "x = tinterp(t, 0, 0, 0, 0, 0, 0);", 15),
+    ABSENT("TRMSRFS", "s:surface contours:curve|poly|list -> list",
+           "Divides a surface along curves (see TRIMSRF)",
+           S C "l = trmsrfs(s, c);", 14),
+    ABSENT("TVZRJACOB",
+           "t:trivar euclid:bool skip:num fineness:num|list -> poly",
+           "Draws where a trivariate folds",
+           FIELD "o = tvzrjacob(t, true, 1, 0);", 15),
+    {0}};
