@@ -121,8 +121,9 @@ ix_status ix_srf_asymptotic(ix_ctx *ctx, const ix_mv *s, double u, double v,
  * dual is the original.
  *
  * In    m     curve: coordinates after the second are not looked at
- * Out   *out  curve P2 (P3 with z = 0 for 3 coordinates), degree 2d-2 / 2d-2;
- *             surface P3, 3d-2 / 3d-2. Tangents through the origin are poles
+ * Out   *out  curve P2 (P3 with z = 0 for 3 coordinates), degree 2d-2 / 2d-2
+ *             (naive 2d-1 / 5d, irit 2d-1 / 3d); surface P3, 3d-2 / 3d-2 (3d-1
+ *             / 9d, 3d-1 / 5d). Tangents through the origin are poles
  * Err   IX_EARG    neither curve nor surface, one coordinate
  *       IX_EDOMAIN all tangents pass through the origin; the curve is a point
  */
@@ -134,9 +135,9 @@ ix_status ix_duality(ix_ctx *ctx, const ix_mv *m, const ix_op_opts *o,
  * the tangents, k = 1: the pedal.
  *
  * In    p     [3]; of a curve the first two count
- * Out   *out  curve: 2 or 3 coordinates as m, 3d-3 / 4d-4; surface: P3, 5d-3 /
- *             6d-4
- * Err   as above, for the point p in place of the origin without the poles */
+ * Out   *out  curve: 2 or 3 coordinates as m, 3d-3 / 4d-4 (naive and irit 3d-2
+ * / 9d); surface: P3, 5d-3 / 6d-4 (5d-2 / 17d) Err   as above, for the point p
+ * in place of the origin without the poles */
 ix_status ix_orthotomic(ix_ctx *ctx, const ix_mv *m, const double p[3],
                         double k, const ix_op_opts *o,
                         ix_mv **out) IX_MUST_CHECK;

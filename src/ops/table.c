@@ -27,6 +27,12 @@
     {                                                                          \
         return call(ctx, a->mv[0], o, rep, out);                               \
     }
+#define SQUARE(fn, kind)                                                       \
+    static ix_status fn(ix_ctx *ctx, const ix_op_args *a, const ix_op_opts *o, \
+                        ix_report *rep, ix_mv **out)                           \
+    {                                                                          \
+        return ix_srf_curvature(ctx, a->mv[0], kind, o, rep, out);             \
+    }
 
 FIELD(inflection, IX_CRV_INFLECTION)
 FIELD(critical, IX_CRV_CRITICAL)
@@ -105,12 +111,9 @@ static ix_status mean_numerator(ix_ctx *ctx, const ix_op_args *a,
     return ix_srf_mean(ctx, a->mv[0], true, o, rep, out);
 }
 
-static ix_status total_curvature(ix_ctx *ctx, const ix_op_args *a,
-                                 const ix_op_opts *o, ix_report *rep,
-                                 ix_mv **out)
-{
-    return ix_srf_curvature(ctx, a->mv[0], IX_SRF_TOTAL, o, rep, out);
-}
+SQUARE(total_curvature, IX_SRF_TOTAL)
+SQUARE(curvature_along_u, IX_SRF_ALONG_U)
+SQUARE(curvature_along_v, IX_SRF_ALONG_V)
 
 /* The number is the direction. */
 static ix_status srf_focal(ix_ctx *ctx, const ix_op_args *a,
@@ -137,13 +140,7 @@ static ix_status orthotomic(ix_ctx *ctx, const ix_op_args *a,
 
 CURVE(srf_evolute, ix_srf_evolute)
 
-enum {
-    ALL = 15,
-    NO_IRIT = 7,
-    NO_PUBLISHED = 13,
-    ONLY_MINIMAL = 1,
-    ONLY_NAIVE = 4
-};
+enum { ALL = 15, NO_IRIT = 7, NO_PUBLISHED = 13, ONLY_NAIVE = 4 };
 
 /* Fields have the names of the functions that look for their zeros; the
  * number is the op of these functions, told by two names. */
@@ -172,12 +169,14 @@ const ix_op ix__ops[] = {
     {"SMEAN", {2, 0}, 0, NO_PUBLISHED, mean},
     {"SMEANNUM", {2, 0}, 0, NO_PUBLISHED, mean_numerator},
     {"SCRVTR", {2, 0}, 0, NO_PUBLISHED, total_curvature},
+    {"SCRVTRCOL", {2, 0}, 0, NO_PUBLISHED, curvature_along_u},
+    {"SCRVTRROW", {2, 0}, 0, NO_PUBLISHED, curvature_along_v},
     {"EVOLUTE", {2, 0}, 0, NO_PUBLISHED, srf_evolute},
     {"SFOCAL", {2, 0}, 1, NO_PUBLISHED, srf_focal},
-    {"DUALITY", {1, 0}, 0, ONLY_MINIMAL, dual},
-    {"DUALITY", {2, 0}, 0, ONLY_MINIMAL, dual},
-    {"ORTHOTOMC", {1, 0}, 4, ONLY_MINIMAL, orthotomic},
-    {"ORTHOTOMC", {2, 0}, 4, ONLY_MINIMAL, orthotomic},
+    {"DUALITY", {1, 0}, 0, NO_PUBLISHED, dual},
+    {"DUALITY", {2, 0}, 0, NO_PUBLISHED, dual},
+    {"ORTHOTOMC", {1, 0}, 4, NO_PUBLISHED, orthotomic},
+    {"ORTHOTOMC", {2, 0}, 4, NO_PUBLISHED, orthotomic},
     {NULL, {0, 0}, 0, 0, NULL}};
 
 const ix_op *ix__op_find(const char *name)

@@ -316,7 +316,9 @@ static const quotient_degrees rows_naive[] = {
     {"SCRVTR", 0, {{12, 6}, {12, 6}}, 48},
     {"EVOLUTE", 0, {{6, 3}, {6, 3}}, 25},
     {"SFOCAL", 0, {{4, 3}, {4, 1}}, 17},
-    {"SFOCAL", 1, {{4, 1}, {4, 3}}, 17}};
+    {"SFOCAL", 1, {{4, 1}, {4, 3}}, 17},
+    {"DUALITY", 0, {{3, 1}, {3, 1}}, 9},
+    {"ORTHOTOMC", 0, {{5, 2}, {5, 2}}, 17}};
 static const quotient_degrees rows_irit[] = {
     {"SGAUSS", 0, {{8, 4}, {8, 4}}, 32},
     {"SGAUSSNUM", 0, {{6, 4}, {6, 4}}, 16},
@@ -325,15 +327,17 @@ static const quotient_degrees rows_irit[] = {
     {"SCRVTR", 0, {{12, 6}, {12, 6}}, 24},
     {"EVOLUTE", 0, {{7, 3}, {7, 3}}, 25},
     {"SFOCAL", 0, {{5, 3}, {5, 1}}, 17},
-    {"SFOCAL", 1, {{5, 1}, {5, 3}}, 17}};
+    {"SFOCAL", 1, {{5, 1}, {5, 3}}, 17},
+    {"DUALITY", 0, {{3, 1}, {3, 1}}, 5},
+    {"ORTHOTOMC", 0, {{5, 2}, {5, 2}}, 17}};
 
 static void check_degrees(const quotient_degrees *q, const ix_mv *s,
                           ix_degree_form form)
 {
     const ix_op *op = ix__op_for(q->op, 1, &s);
-    ix_op_args a = {.mv = {s}, .num = {q->num}};
+    ix_op_args a = {.mv = {s}, .num = {q->num, 0, 0, 2}};
     const ix_op_opts o = {form, INT_MAX};
-    ix_report rep;
+    ix_report rep = {.residual = NAN};
     ix_mv *m;
 
     ASSERT_OK(ctx, op->run(ctx, &a, &o, &rep, &m));
@@ -733,6 +737,40 @@ static void dual_is_an_involution(void **state)
     }
 }
 
+/* The degrees of the formulas for planar curves, and a line through the origin,
+ * whose dual is at infinity in all forms. */
+static void naive_duals_of_curves(void **state)
+{
+    const double p[3] = {0.1, 0.2, 0}, through[4] = {0, 1, 0, 2};
+    ix_dir d = {IX_BEZIER, 2, 2, false, NULL};
+    ix_mv *line, *f;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &d, 2, false, through, &line));
+    for (int form = IX_FORM_NAIVE; form <= IX_FORM_IRIT; form++) {
+        const ix_op_opts o = {(ix_degree_form)form, INT_MAX};
+
+        for (int r = 0; r < 2; r++) {
+            ix_mv *m = plane_curve(3, r, 2 + r);
+
+            ASSERT_OK(ctx, ix_duality(ctx, m, &o, &f));
+            assert_int_equal(ix_mv_order(f, 0) - 1, !r ? 5
+                                                    : form == IX_FORM_NAIVE
+                                                        ? 15
+                                                        : 9);
+            assert_int_equal(ix_mv_ncoords(f), 2 + r);
+            ix_mv_unref(ctx, f);
+            ASSERT_OK(ctx, ix_orthotomic(ctx, m, p, 2, &o, &f));
+            assert_int_equal(ix_mv_order(f, 0) - 1, r ? 27 : 7);
+            ix_mv_unref(ctx, f);
+            ix_mv_unref(ctx, m);
+        }
+        assert_int_equal(ix_duality(ctx, line, &o, &f), IX_EDOMAIN);
+        assert_null(f);
+    }
+    ix_mv_unref(ctx, line);
+}
+
 /* Law: with k = 2 the orthotomic is p mirrored in the tangent: its middle lies
  * on the tangent, the way is along the normal. */
 static void orthotomic_mirrors(void **state)
@@ -919,6 +957,7 @@ int main(void)
         cmocka_unit_test(directions),
         cmocka_unit_test(evolute_is_centre),
         cmocka_unit_test(dual_is_an_involution),
+        cmocka_unit_test(naive_duals_of_curves),
         cmocka_unit_test(orthotomic_mirrors),
         cmocka_unit_test(errors),
         cmocka_unit_test(every_allocation_fails),
