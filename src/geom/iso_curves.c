@@ -1,11 +1,10 @@
 /* iso_curves.c - see the header. */
 #include "geom/iso_curves.h"
 
+#include "geom/halve.h"
 #include "geom/parts.h"
 #include "geom/vec3.h"
 #include "iritx/sym.h"
-
-#define DEPTH 12 /* halvings */
 
 /* A bound of |S(., a) - S(., b)|. */
 static ix_status gap_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
@@ -28,29 +27,11 @@ static ix_status gap_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
     return st;
 }
 
-static ix_status halve(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
-                       double a, double b, int depth, int *n, double *t)
-{
-    double gap, m = (a + b) / 2;
-
-    IX_TRY(gap_of(ctx, s, dir, a, b, &gap));
-    /* both ends may be one curve: look at the middle at least once */
-    if (gap <= eps && depth < DEPTH) {
-        t[(*n)++] = b;
-        return IX_OK;
-    }
-    if (depth == 0)
-        return IX_FAIL(ctx, IX_EUNABLE,
-                       "curves at %g and %g are still %g apart; %g is wanted",
-                       a, b, gap, eps);
-    IX_TRY(halve(ctx, s, dir, eps, a, m, depth - 1, n, t));
-    return halve(ctx, s, dir, eps, m, b, depth - 1, n, t);
-}
-
 ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
                          int *n, double **t)
 {
-    double dom[2];
+    /* both ends of a closed surface are one curve */
+    const ix__halving h = {gap_of, s, dir, eps, true, "the next curve"};
 
     *n = 0;
     if (s->ndirs != 2 || s->ncoords > 3)
@@ -61,8 +42,5 @@ ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
     if (!(eps > 0))
         return IX_FAIL(ctx, IX_EARG, "a distance of %g; it must be positive",
                        eps);
-    IX_SCRATCH(ctx, *t, (1 << DEPTH) + 1);
-    ix_mv_domain(s, dir, dom);
-    (*t)[(*n)++] = dom[0];
-    return halve(ctx, s, dir, eps, dom[0], dom[1], DEPTH, n, *t);
+    return ix__halve(ctx, &h, n, t);
 }

@@ -2,12 +2,11 @@
  * layout projection). */
 #include "geom/ruled_pieces.h"
 
+#include "geom/halve.h"
 #include "geom/parts.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
 #include "iritx/sym.h"
-
-#define DEPTH 12 /* halvings */
 
 enum { PIECE_TEMPS = 4 };
 
@@ -63,29 +62,10 @@ static ix_status error_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
     return st;
 }
 
-static ix_status halve(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
-                       double a, double b, int depth, int *n, double *cut)
-{
-    double err, m = (a + b) / 2;
-
-    IX_TRY(error_of(ctx, s, dir, a, b, &err));
-    if (err <= eps) {
-        cut[++*n] = b;
-        return IX_OK;
-    }
-    if (depth == 0)
-        return IX_FAIL(ctx, IX_EUNABLE,
-                       "the piece between %g and %g is still %g from ruled; "
-                       "%g is wanted",
-                       a, b, err, eps);
-    IX_TRY(halve(ctx, s, dir, eps, a, m, depth - 1, n, cut));
-    return halve(ctx, s, dir, eps, m, b, depth - 1, n, cut);
-}
-
 ix_status ix__ruled_pieces(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
                            int *n, double **cut)
 {
-    double dom[2];
+    ix__halving h = {error_of, NULL, dir, eps, false, "the ruled surface"};
     ix_status st;
     ix_mv *b;
 
@@ -98,12 +78,12 @@ ix_status ix__ruled_pieces(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
     if (!(eps > 0))
         return IX_FAIL(ctx, IX_EARG, "a tolerance of %g; it must be positive",
                        eps);
-    IX_SCRATCH(ctx, *cut, (1 << DEPTH) + 1);
     IX_TRY(ix_mv_to_bspline(ctx, s, &b));
-    ix_mv_domain(b, dir, dom);
-    (*cut)[0] = dom[0];
-    st = halve(ctx, b, dir, eps, dom[0], dom[1], DEPTH, n, *cut);
+    h.s = b;
+    st = ix__halve(ctx, &h, n, cut);
     ix_mv_unref(ctx, b);
+    if (st == IX_OK)
+        (*n)--; /* of pieces */
     return st;
 }
 
