@@ -91,10 +91,31 @@ static ix_status all_crossings(ix_ctx *ctx, const ix__object obj[2],
 /* --- the walk --------------------------------------------------------------
  */
 
+/* Do the boxes of any two spans overlap? */
+static bool may_meet(const ix__set *a, const ix__set *b)
+{
+    for (int i = 0; i < a->nspans; i++)
+        for (int j = 0; j < b->nspans; j++) {
+            const ix__span *p = &a->span[i], *q = &b->span[j];
+            bool apart = p->boxed && q->boxed;
+
+            if (!apart)
+                return true;
+            apart = false;
+            for (int k = 0; k < 2; k++)
+                apart = apart || p->box[0][k] > q->box[1][k] ||
+                        q->box[0][k] > p->box[1][k];
+            if (!apart)
+                return true;
+        }
+    return false;
+}
+
 static ix_status walk(ix_ctx *ctx, const ix__object obj[2],
                       const ix_frame *frame, double tol, ix_bisector *out)
 {
-    ix__walk w = {obj[0].set, obj[1].set, tol, GRID};
+    ix__walk w = {obj[0].set, obj[1].set, tol, GRID,
+                  may_meet(obj[0].set, obj[1].set)};
     places seeds = {0, NULL};
     ix__walked done;
 

@@ -162,7 +162,7 @@ static ix_status solve(problem *p, bool whole, ix_bisector *out)
 {
     const ix_mv *const crv[1] = {p->crv};
     ix__set_opts o = {.carrier = whole};
-    ix__walk w = {&p->point, &p->curve, p->tol, GRID};
+    ix__walk w = {&p->point, &p->curve, p->tol, GRID, false};
     ix__object obj[2] = {{.set = &p->point, .point = {p->q[0], p->q[1]}},
                          {.set = &p->curve, .n = 1, .crv = crv}};
     const double at[1][2] = {{p->q[0], p->q[1]}};

@@ -225,7 +225,7 @@ static void add_vertex(maker *k, const ix__sample *a, ix_medial_branch *b,
 static void add_branch(maker *k, int index)
 {
     const ix__run *r = &k->w->run[index];
-    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID};
+    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID, false};
     const ix__set *s = &k->g->set;
     ix_medial_branch *b = &k->out->branch[k->out->nbranches++];
     const ix__sample *a = ix__run_at(k->w, r, 0);
@@ -304,7 +304,7 @@ static ix_status check_closed(const region *g)
 
 static ix_status run(region *g, ix_medial_axis *out)
 {
-    ix__walk w = {&g->set, &g->set, g->tol, GRID};
+    ix__walk w = {&g->set, &g->set, g->tol, GRID, false};
     ix__walked done;
 
     IX_TRY(ix__plane_frame(g->ctx, g->n, g->crv, 0, NULL, &g->frame));

@@ -10,6 +10,9 @@
  * of the radius count as one: the depth between them is of fourth order, so
  * that they are not known to more than (1e-14)^(1/4), and a margin. */
 #define ONE_FOOT 1e-2
+/* With two sets: as near as this only where one curve goes on from the other,
+ * or where they cross at no larger angle. */
+#define TOUCHING 4e-3
 /* A radius below this counts as a point that both sets have in common. */
 #define COMMON 1e-13
 /* Intervals of a border element are halved down to this. */
@@ -153,6 +156,18 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
               (v * (1.0 - k * o->r));
 }
 
+/* Is the own foot on the other set too (the curves are the same there), or are
+ * both feet one, on curves that go on smoothly from each other? */
+static bool on_both(const ix__walk *w, const ix__sample *o)
+{
+    if (w->own == w->other)
+        return false;
+    if (hypot(o->x[0] - o->c[0], o->x[1] - o->c[1]) <=
+        TOUCHING * fmin(o->r, 1.0))
+        return true;
+    return ix__set_distance(w->other, o->c, NULL) <= COMMON;
+}
+
 static double way(const ix__set *s, const ix__touch *a, const ix__touch *b);
 
 static bool one_foot(const ix__walk *w, const ix__border *e,
@@ -177,7 +192,7 @@ static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
     for (int k = 0; k < 2; k++)
         o->b[k] = o->c[k] + o->r * o->n[k];
     other_foot(w->other, o);
-    if (in_common(w, e, o))
+    if (in_common(w, e, o) || (w->meeting && on_both(w, o)))
         return;
     if (w->own != w->other &&
         ix__set_blocks(w->own, o->c, o->n, IX__OWN_DEPTH, &block)) {
@@ -576,7 +591,7 @@ static int by_place(const void *a, const void *b)
 /* Places of the own border that are seen from the other one. */
 static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
 {
-    ix__walk back = {w->other, w->own, w->tol, w->grid};
+    ix__walk back = {w->other, w->own, w->tol, w->grid, w->meeting};
     ix__sample s;
     ix__place p;
 

@@ -26,8 +26,10 @@ typedef struct {
 
 typedef struct {
     const ix__set *own, *other; /* may be one set: its medial axis */
-    double tol; /* of the polyline of centres, relative to their distance */
-    int grid;   /* samples of each element of the border at least */
+    double tol;   /* of the polyline of centres, relative to their distance */
+    int grid;     /* samples of each element of the border at least */
+    bool meeting; /* the sets may have points in common: centres whose circle
+                     touches in such a point do not count */
 } ix__walk;
 
 /* A place to look at: where another touches, or a foot found from elsewhere. */

@@ -273,6 +273,41 @@ static void common_end(void **state)
     ix_ctx_free(ctx);
 }
 
+/* The same curve twice has none; two halves of a parabola have its axis above
+ * the centre of curvature (at the normal of the common end all feet are that
+ * end). */
+static void same_curve(void **state)
+{
+    static const double pts[6] = {-1, 0, 1, 1, -1, 1}; /* y = x^2 */
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *a = make_crv(ctx, 3, 3, NULL, false, 2, pts), *h[2];
+    const ix_mv *const la[1] = {a};
+    ix_bisector s;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_bisect_crv_crv(ctx, 1, la, 1, la, 0, &s));
+    assert_int_equal(s.n, 0);
+    ix_bisector_free(ctx, &s);
+    ASSERT_OK(ctx, ix_mv_split(ctx, a, 0, 0.5, h));
+    {
+        const ix_mv *const l0[1] = {h[0]}, *const l1[1] = {h[1]};
+
+        ASSERT_OK(ctx, ix_bisect_crv_crv(ctx, 1, l0, 1, l1, 0, &s));
+    }
+    /* between the curves, then their far ends; rounding may set the change of
+       both feet apart */
+    assert_in_range(s.n, 2, 3);
+    for (int i = 0; i < s.n; i++)
+        for (int j = 0; j < s.piece[i].n; j++)
+            assert_true(fabs(s.piece[i].x[2 * j]) <= 1e-9 &&
+                        s.piece[i].x[2 * j + 1] >= 0.5 - 1e-9);
+    ix_bisector_free(ctx, &s);
+    ix_mv_unref(ctx, h[0]);
+    ix_mv_unref(ctx, h[1]);
+    ix_mv_unref(ctx, a);
+    ix_ctx_free(ctx);
+}
+
 /* --- several curves, single points -----------------------------------------
  */
 
@@ -425,8 +460,9 @@ int main(void)
         cmocka_unit_test(by_definition), cmocka_unit_test(disjoint_quadratics),
         cmocka_unit_test(components),    cmocka_unit_test(circles),
         cmocka_unit_test(crossing),      cmocka_unit_test(common_end),
-        cmocka_unit_test(objects),       cmocka_unit_test(exact_points),
-        cmocka_unit_test(errors),        cmocka_unit_test(no_memory),
+        cmocka_unit_test(same_curve),    cmocka_unit_test(objects),
+        cmocka_unit_test(exact_points),  cmocka_unit_test(errors),
+        cmocka_unit_test(no_memory),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
