@@ -575,7 +575,7 @@ static ix_status add_object(writer *w, const ix_obj *o)
         return IX_FAIL(w->b->ctx, IX_EUNABLE,
                        "%s is empty, and binary files have no place for that",
                        o->name ? o->name : "an object");
-    sync(w, o->type);
+    sync(w, (int)o->type);
     IX_TRY(fill_block(w, o, &k));
     add_block(w, &k, IX_IBD_OBJECT);
     add_string(w, w->peer ? NULL : o->name);
