@@ -21,7 +21,7 @@ static bool check_name(const char *name)
         return true;
     (void)fprintf(stderr,
                   "iritx: error: %s: no format has this suffix; there are "
-                  ".itd .xml .x3d .stl .bstl .obj .step .svg .png .pdf\n",
+                  ".itd .ibd .xml .x3d .stl .bstl .obj .step .svg .png .pdf\n",
                   name);
     return false;
 }

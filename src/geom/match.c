@@ -196,7 +196,7 @@ static void make_monotone(int n, double *c, double *mean, int *count)
 /* Pairs of the path as t[] (of c1) and r[] (of c2), both in [0, 1]. */
 static int trace(const pairs *q, const char *from, double *t, double *r)
 {
-    int n = q->n, i = n - 1, j = n - 1, m = 0, total = 1;
+    int n = q->n, i = n - 1, j = i, m = 0, total = 1;
 
     for (int a = i, b = j; a || b; total++) {
         char step = from[(size_t)a * (size_t)n + (size_t)b];

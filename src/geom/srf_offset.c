@@ -98,8 +98,8 @@ static ix_status patch_error(const job *j, const ix_mv *off, const double lo[2],
 {
     *err = 0;
     for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        double f[2] = {(i % SAMPLES + 0.5) / SAMPLES,
-                       (i / SAMPLES + 0.5) / SAMPLES};
+        int col = i % SAMPLES, row = i / SAMPLES;
+        double f[2] = {(col + 0.5) / SAMPLES, (row + 0.5) / SAMPLES};
         double uv[2] = {lo[0] + f[0] * (hi[0] - lo[0]),
                         lo[1] + f[1] * (hi[1] - lo[1])};
         double got[3], want[3];

@@ -121,10 +121,11 @@ ix_status ix__ibdr_nums(ix__ibdr *r, size_t n, double *v)
 
 ix_status ix__ibdr_array(ix__ibdr *r, double n, double **out)
 {
+    static const size_t most = IX_MAX_TEXT / sizeof **out;
     size_t want = (size_t)n, have = 0, cap = 4096;
     double *v, *wider;
 
-    if (!(n >= 0 && n < (double)(IX_MAX_TEXT / sizeof *v)))
+    if (!(n >= 0 && n < (double)most))
         return ix__ibdr_fail(r, "%g numbers are too many", n);
     cap = cap < want ? cap : want;
     IX_SCRATCH(r->ctx, v, cap);

@@ -24,7 +24,7 @@ static void put_numbers(ix_buf *b, const char *word, const double *v, int n)
 static void put_index(objfile *f, size_t i)
 {
     ix__buf_putc(f->b, ' ');
-    ix__buf_int(f->b, (long long)(f->nverts + i + 1));
+    ix__buf_int(f->b, (long long)f->nverts + (long long)i + 1);
 }
 
 /* Blanks would end the name. */

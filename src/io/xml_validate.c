@@ -32,7 +32,7 @@ typedef struct {
 static bool is_blank(const ix_buf *b)
 {
     for (size_t i = 0; i < b->len; i++)
-        if (!memchr(" \t\r\n", b->data[i], 4))
+        if (!b->data[i] || !strchr(" \t\r\n", b->data[i]))
             return false;
     return true;
 }

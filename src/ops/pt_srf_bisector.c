@@ -132,9 +132,10 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
     for (int i = 0; i < 2; i++)
         ix_mv_domain(srf, i, dom[i]);
     for (int i = 0; i < GRID * GRID; i++) {
-        double t[2] = {
-            dom[0][0] + (dom[0][1] - dom[0][0]) * (i % GRID + 0.5) / GRID,
-            dom[1][0] + (dom[1][1] - dom[1][0]) * (i / GRID + 0.5) / GRID};
+        int col = i % GRID, row = i / GRID;
+        double t[2] = {dom[0][0] + (dom[0][1] - dom[0][0]) * (col + 0.5) / GRID,
+                       dom[1][0] +
+                           (dom[1][1] - dom[1][0]) * (row + 0.5) / GRID};
 
         IX_TRY(residual_at(ctx, srf, b, q, t, &rep->residual));
     }

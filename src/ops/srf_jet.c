@@ -123,9 +123,10 @@ ix_status ix__srf_measure(ix_ctx *ctx, const ix_mv *s, const ix_mv *out,
         ix_mv_domain(s, i, dom[i]);
     }
     for (int i = 0; i < GRID * GRID; i++) {
-        double t[2] = {
-            dom[0][0] + (dom[0][1] - dom[0][0]) * (i % GRID + 0.5) / GRID,
-            dom[1][0] + (dom[1][1] - dom[1][0]) * (i / GRID + 0.5) / GRID};
+        int col = i % GRID, row = i / GRID;
+        double t[2] = {dom[0][0] + (dom[0][1] - dom[0][0]) * (col + 0.5) / GRID,
+                       dom[1][0] +
+                           (dom[1][1] - dom[1][0]) * (row + 0.5) / GRID};
 
         IX_TRY(compare_at(ctx, &c, t));
     }
