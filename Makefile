@@ -46,7 +46,7 @@ ifeq ($(OPT_$(CFG)),)
 $(error unknown CFG=$(CFG); use release, debug, asan, hard or cov)
 endif
 ALL_CFLAGS   = -std=c11 $(WARN) $(FLOAT) $(OPT_$(CFG)) -fPIC -pthread $(CFLAGS)
-ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(if $(filter 0,$(WITH_LIBEDIT)),-DIX_NO_LIBEDIT) $(if $(filter 0,$(WITH_SUNDIALS)),-DIX_NO_SUNDIALS) $(PKG_CPPFLAGS) -I$(B)/gen -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
+ALL_CPPFLAGS = $(if $(FLINT),-DIX_HAVE_FLINT) $(if $(filter 0,$(WITH_LIBEDIT)),-DIX_NO_LIBEDIT) $(if $(filter 0,$(WITH_SUNDIALS)),-DIX_NO_SUNDIALS) $(PKG_CPPFLAGS) -I$(B)/gen -I. -Iinclude -Isrc -Itests -Ibench -DIX_VERSION='"$(VERSION)"' -MMD -MP $(CPPFLAGS)
 # WITH_LIBEDIT=0: a prompt without history and completion. The program loads
 # the library with the first line that it asks for; only its header is needed.
 WITH_LIBEDIT ?= 1
@@ -66,7 +66,7 @@ LIBS         := $(shell pkg-config --libs $(PKGS)) -lm -pthread
 LINK         = $(CC) $(OPT_$(CFG)) -Wl,-z,relro,-z,now $(LDFLAGS)
 
 # --- files -------------------------------------------------------------------
-LIB_SRC   := $(filter-out src/app/% src/draw/%,$(wildcard src/*/*.c))
+LIB_SRC   := $(filter-out src/app/% src/draw/%,$(wildcard src/*/*.c irit_ext/ops/*.c))
 DRAW_SRC  := $(if $(CAIRO),$(wildcard src/draw/*.c))
 APP_SRC   := $(wildcard src/app/*.c)
 HARNESS   := $(wildcard tests/harness/*.c)

@@ -103,6 +103,9 @@ struct ix_host {
     ix_status (*poll)(ix_call *c);
     /* The state "DegreeForm", and joins as BspProdMethod asks for. */
     ix_op_opts (*op_opts)(const ix_call *c);
+    /* What polylines may be away from a curve that they stand for, as a part of
+     * its domain: from the variable RESOLUTION. */
+    double (*contour_tol)(const ix_call *c);
     /* The number that a script's variable holds, else dflt. */
     double (*var_num)(const ix_call *c, const char *name, double dflt);
 
@@ -145,6 +148,10 @@ struct ix_host {
     ix_status (*ret_contours)(ix_call *c, const ix_solution_curves *s,
                               const ix_mv *m);
     ix_obj *(*result)(const ix_call *c); /* what ret_... set; borrowed */
+    /* The attributes Poles of o: the parameters where the weight of m (a curve,
+     * or a surface whose weight does not depend on direction 1) is zero, and
+     * Finite: the ranges (lo, hi) between them. Not set if there are none. */
+    ix_status (*set_poles)(ix_call *c, ix_obj *o, const ix_mv *m);
 
     /* --- objects --------------------------------------------------------- */
     /* Makers return a new reference, NULL without memory, message recorded. */

@@ -76,8 +76,6 @@ extern const ix_builtin ix__builtins_bisect2d[];
 extern const ix_builtin ix__builtins_bisect3d[];
 extern const ix_builtin ix__builtins_prim[];
 extern const ix_builtin ix__builtins_mbisect[];
-extern const ix_builtin ix__builtins_ops_crv[];
-extern const ix_builtin ix__builtins_ops_srf[];
 extern const ix_builtin ix__builtins_degrees[];
 extern const ix_builtin ix__builtins_geodesic[];
 extern const ix_builtin ix__builtins_poly[];

@@ -1,6 +1,5 @@
 /* host.c - the table of functions that plug-ins are given. Most are those that
  * primitives use; the others make an opaque object's parts reachable. */
-#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +7,7 @@
 #include "lang/args_freeform.h"
 #include "lang/host.h"
 #include "lang/interp.h"
+#include "lang/op_args.h"
 
 /* --- the call ------------------------------------------------------------ */
 
@@ -70,14 +70,6 @@ static void *scratch(ix_call *c, size_t n, size_t size)
 static ix_status poll_call(ix_call *c)
 {
     return ix__poll(c->ctx);
-}
-
-static ix_op_opts op_opts(const ix_call *c)
-{
-    const ix_states *s = ix__states(c->in);
-
-    return (ix_op_opts){.form = (ix_degree_form)s->degree_form,
-                        .max_cont = s->bsp_prod_method == 0 ? 0 : INT_MAX};
 }
 
 static double var_num(const ix_call *c, const char *name, double dflt)
@@ -183,7 +175,8 @@ const ix_host ix__host = {
     .remark = remark,
     .scratch = scratch,
     .poll = poll_call,
-    .op_opts = op_opts,
+    .op_opts = ix__op_opts,
+    .contour_tol = ix__contour_tolerance,
     .var_num = var_num,
     .argc = argc_of,
     .arg = arg,
@@ -204,6 +197,7 @@ const ix_host ix__host = {
     .ret_list = ix__ret_list,
     .ret_contours = ix__ret_contours,
     .result = result,
+    .set_poles = ix__tell_poles,
     .number = ix__obj_number,
     .string = ix__obj_string,
     .point = ix__obj_point,

@@ -10,7 +10,7 @@ extern const ix_host ix__host;
 /* Where ix_plugin_init registers: the rows join the index of built-ins, for
  * good. */
 struct ix_registry {
-    ix_ctx *ctx; /* for messages; NULL: there is nobody to read them */
+    ix_ctx *ctx; /* for messages; NULL while the index is being made */
     int added;   /* rows so far */
 };
 

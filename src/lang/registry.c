@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "lang/host.h"
+#include "lang/interp.h"
 #include "lang/startup.h"
 #include "lang/types_impl.h"
 
@@ -52,7 +53,8 @@ static ix_status check_row(ix_ctx *ctx, const ix_plugin_row *rows, int i)
     what = fault(&rows[i], &sig);
     if (what)
         return IX_FAIL(ctx, IX_EARG, "row %d (%.64s): %s", i + 1, name, what);
-    if (ix__bi_find(name) || ix__startup_find(name) || repeated(rows, i, name))
+    if (ix__bi_find_so_far(name) || ix__startup_find(name) ||
+        repeated(rows, i, name))
         return IX_FAIL(ctx, IX_EARG, "%s is a function already", name);
     return IX_OK;
 }
@@ -67,6 +69,8 @@ ix_status ix__registry_add(ix_registry *r, unsigned version,
                        "it wants version %u of the plug-in interface, this "
                        "program has %d",
                        version, IX_PLUGIN_VERSION);
+    if (r->ctx)
+        (void)ix__builtin_at(0); /* the index is complete from here on */
     for (; rows[n].name; n++)
         IX_TRY(check_row(r->ctx, rows, n));
     IX_TRY(ix__bi_append(r->ctx, rows, n));

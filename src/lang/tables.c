@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "irit_ext/ops/ops.h"
+#include "lang/host.h"
 #include "lang/interp_impl.h"
 #include "lang/startup.h"
 
@@ -54,8 +56,6 @@ static const ix_builtin *const tables[] = {
     ix__builtins_bisect3d,
     ix__builtins_prim,
     ix__builtins_mbisect,
-    ix__builtins_ops_crv,
-    ix__builtins_ops_srf,
     ix__builtins_geodesic,
     ix__builtins_degrees,
     ix__builtins_poly,
@@ -136,20 +136,33 @@ static void add_row(const ix_builtin *row, ix_plugin_fn ext)
                           memory_order_release);
 }
 
+/* The operators come as those of a plug-in do. */
 static void make_index(void)
 {
+    static ix_status (*const operators[])(const ix_host *h, ix_registry *r) = {
+        ix__ops_curves, ix__ops_surfaces};
+    ix_registry r = {.ctx = NULL};
+
     for (size_t i = 0; i < NTABLES; i++)
         for (const ix_builtin *t = tables[i]; t->name; t++)
             add_row(t, NULL);
+    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
+        if (operators[i](&ix__host, &r) != IX_OK)
+            assert(!"malformed row in irit_ext/ops");
+}
+
+const ix__bi *ix__bi_find_so_far(const char *name)
+{
+    const ix__bi *bi;
+
+    (void)find_slot(name, &bi);
+    return bi;
 }
 
 const ix__bi *ix__bi_find(const char *name)
 {
-    const ix__bi *bi;
-
     (void)pthread_once(&once, make_index);
-    (void)find_slot(name, &bi);
-    return bi;
+    return ix__bi_find_so_far(name);
 }
 
 const ix_builtin *ix__builtin_find(const char *name)

@@ -85,6 +85,8 @@ ix_status ix__op_numbers(ix_interp *in, ix__op op, double l, double r,
 /* --- tables --------------------------------------------------------------- */
 /* A built-in by name (any case) with its signature; NULL: unknown. */
 const ix__bi *ix__bi_find(const char *name);
+/* The same while the index is being made. */
+const ix__bi *ix__bi_find_so_far(const char *name);
 /* Adds n checked rows, whose names are new, to those of the tables. Any number
  * of threads may look names up meanwhile. Err IX_EUNABLE no room. */
 ix_status ix__bi_append(ix_ctx *ctx, const ix_plugin_row *rows,

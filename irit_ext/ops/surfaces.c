@@ -1,54 +1,49 @@
-/* builtins_ops_srf.c - differential geometry of surfaces, duals (chapters 19
- * and 20 of spec/functions). */
-#include <limits.h>
-
+/* surfaces.c - differential geometry of surfaces, duals (chapters 19 and 20 of
+ * the reference). */
+#include "irit_ext/ops/ops.h"
 #include "iritx/ops_srf.h"
 #include "iritx/sym.h"
-#include "lang/args_freeform.h"
-#include "lang/interp.h"
-#include "lang/op_args.h"
-#include "mv/mv.h"
 
 /* --- fields -------------------------------------------------------------- */
 
-static ix_status srffform(ix_call *c)
+static ix_status srffform(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_obj *list;
     ix_status st = IX_OK;
     ix_mv *f[3];
     int k;
 
-    IX_TRY(ix__arg_int(c, 1, 1, 3, &k));
-    IX_TRY(ix_srf_forms(c->ctx, ix__arg_mv(c, 0), k, &o, f));
-    list = ix__obj_list(c->ctx);
+    IX_TRY(h->arg_int(c, 1, 1, 3, &k));
+    IX_TRY(ix_srf_forms(h->ctx(c), h->arg_mv(c, 0), k, &o, f));
+    list = h->list(h->ctx(c));
     for (int i = 0; i < 3; i++) { /* all are taken over, also after a failure */
-        ix_obj *one = ix__obj_mv(c->ctx, IX_OBJ_SURFACE, f[i]);
-        ix_status s = ix__list_add(c->ctx, list, one);
+        ix_obj *one = h->freeform(h->ctx(c), IX_OBJ_SURFACE, f[i]);
+        ix_status s = h->list_add(h->ctx(c), list, one);
 
         st = st == IX_OK ? s : st;
     }
-    return ix__ret_list(c, list, st);
+    return h->ret_list(c, list, st);
 }
 
-static ix_status sgauss(ix_call *c)
+static ix_status sgauss(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_srf_gauss(c->ctx, ix__arg_mv(c, 0), ix__arg_bool(c, 1), &o, NULL,
+    IX_TRY(ix_srf_gauss(h->ctx(c), h->arg_mv(c, 0), h->arg_bool(c, 1), &o, NULL,
                         &out));
-    return ix__ret_mv(c, 0, out);
+    return h->ret_mv(c, 0, out);
 }
 
-static ix_status smean(ix_call *c)
+static ix_status smean(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_srf_mean(c->ctx, ix__arg_mv(c, 0), ix__arg_bool(c, 1), &o, NULL,
+    IX_TRY(ix_srf_mean(h->ctx(c), h->arg_mv(c, 0), h->arg_bool(c, 1), &o, NULL,
                        &out));
-    return ix__ret_mv(c, 0, out);
+    return h->ret_mv(c, 0, out);
 }
 
 /* The parameter of direction i as a scalar over the domain of f. */
@@ -57,17 +52,18 @@ static ix_status parameter(ix_ctx *ctx, const ix_mv *f, int i, ix_mv **out)
     ix_dir d[2] = {{IX_BEZIER, 1, 1, false, NULL},
                    {IX_BEZIER, 1, 1, false, NULL}};
     double dom[2][2];
-    ix_mv *t = NULL, *next = NULL;
+    ix_mv *unit, *half;
     ix_status st;
 
     d[i].order = d[i].length = 2;
     for (int k = 0; k < 2; k++)
         ix_mv_domain(f, k, dom[k]);
-    st = ix_mv_new(ctx, 2, d, 1, false, dom[i], &t);
-    for (int k = 0; st == IX_OK && k < 2; k++)
-        st = ix__mv_step(ctx, &t, &next,
-                         ix_mv_reparam(ctx, t, k, dom[k][0], dom[k][1], &next));
-    *out = t;
+    IX_TRY(ix_mv_new(ctx, 2, d, 1, false, dom[i], &unit));
+    st = ix_mv_reparam(ctx, unit, 0, dom[0][0], dom[0][1], &half);
+    ix_mv_unref(ctx, unit);
+    IX_TRY(st);
+    st = ix_mv_reparam(ctx, half, 1, dom[1][0], dom[1][1], out);
+    ix_mv_unref(ctx, half);
     return st;
 }
 
@@ -94,152 +90,152 @@ static ix_status height_field(ix_ctx *ctx, const ix_mv *f, ix_mv **out)
     return st;
 }
 
-static ix_status scrvtr(ix_call *c)
+static ix_status scrvtr(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_srf_curvature_kind kind = IX_SRF_TOTAL;
     ix_mv *f, *g = NULL, *out;
     int nc, dir;
     ix_status st;
     bool rational;
 
-    IX_TRY(ix__arg_pttype(c, 1, &nc, &rational));
+    IX_TRY(h->arg_pttype(c, 1, &nc, &rational));
     if (nc != 1 && nc != 3)
-        return IX_ARG_FAIL(c, 1, "%d coordinates; E1, P1, E3 or P3 is wanted",
+        return h->arg_fail(c, 1, "%d coordinates; E1, P1, E3 or P3 is wanted",
                            nc);
-    if (ix__arg_num(c, 2) != 0) {
-        IX_TRY(ix__arg_dir(c, 2, 2, &dir));
+    if (h->arg_num(c, 2) != 0) {
+        IX_TRY(h->arg_dir(c, 2, 2, &dir));
         kind = dir == 0 ? IX_SRF_ALONG_U : IX_SRF_ALONG_V;
     }
-    IX_TRY(ix_srf_curvature(c->ctx, ix__arg_mv(c, 0), kind, &o, NULL, &f));
-    st = nc == 3 ? height_field(c->ctx, f, &g) : IX_OK;
+    IX_TRY(ix_srf_curvature(h->ctx(c), h->arg_mv(c, 0), kind, &o, NULL, &f));
+    st = nc == 3 ? height_field(h->ctx(c), f, &g) : IX_OK;
     if (st == IX_OK)
-        st = ix_mv_coerce(c->ctx, g ? g : f, nc, rational, &out);
-    ix_mv_unref(c->ctx, f);
-    ix_mv_unref(c->ctx, g);
+        st = ix_mv_coerce(h->ctx(c), g ? g : f, nc, rational, &out);
+    ix_mv_unref(h->ctx(c), f);
+    ix_mv_unref(h->ctx(c), g);
     IX_TRY(st);
-    return ix__ret_mv(c, 0, out);
+    return h->ret_mv(c, 0, out);
 }
 
-static ix_status sfocal(ix_call *c)
+static ix_status sfocal(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
     int dir;
 
-    IX_TRY(ix__arg_dir(c, 1, 2, &dir));
-    IX_TRY(ix_srf_focal(c->ctx, ix__arg_mv(c, 0), dir, &o, NULL, &out));
-    return ix__ret_mv(c, 0, out);
+    IX_TRY(h->arg_dir(c, 1, 2, &dir));
+    IX_TRY(ix_srf_focal(h->ctx(c), h->arg_mv(c, 0), dir, &o, NULL, &out));
+    return h->ret_mv(c, 0, out);
 }
 
 /* --- duals --------------------------------------------------------------- */
 
-static ix_status duality(ix_call *c)
+static ix_status duality(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_duality(c->ctx, ix__arg_mv(c, 0), &o, &out));
-    return ix__ret_mv(c, 0, out);
+    IX_TRY(ix_duality(h->ctx(c), h->arg_mv(c, 0), &o, &out));
+    return h->ret_mv(c, 0, out);
 }
 
-static ix_status orthotomc(ix_call *c)
+static ix_status orthotomc(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     double p[3];
     ix_mv *out;
 
-    IX_TRY(ix__arg_pt3(c, 1, p));
-    IX_TRY(ix_orthotomic(c->ctx, ix__arg_mv(c, 0), p, ix__arg_num(c, 2), &o,
+    IX_TRY(h->arg_pt3(c, 1, p));
+    IX_TRY(ix_orthotomic(h->ctx(c), h->arg_mv(c, 0), p, h->arg_num(c, 2), &o,
                          &out));
-    return ix__ret_mv(c, 0, out);
+    return h->ret_mv(c, 0, out);
 }
 
 /* --- special curves and points ------------------------------------------- */
 
-static ix_status sparabolc(ix_call *c)
+static ix_status sparabolc(const ix_host *h, ix_call *c)
 {
-    const ix_mv *m = ix__arg_mv(c, 0);
+    const ix_mv *m = h->arg_mv(c, 0);
     ix_solution_curves s;
     ix_status st;
 
-    IX_TRY(ix_srf_parabolic(c->ctx, m, ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, ix__arg_bool(c, 1) ? m : NULL);
-    ix_solution_curves_free(c->ctx, &s);
+    IX_TRY(ix_srf_parabolic(h->ctx(c), m, h->contour_tol(c), &s));
+    st = h->ret_contours(c, &s, h->arg_bool(c, 1) ? m : NULL);
+    ix_solution_curves_free(h->ctx(c), &s);
     return st;
 }
 
-static ix_obj *umbilic(ix_ctx *ctx, const ix_solution *s)
+static ix_obj *umbilic(const ix_host *h, ix_ctx *ctx, const ix_solution *s)
 {
     const double p[3] = {s->x[0], s->x[1], 0};
-    ix_obj *o = ix__obj_point(ctx, p);
+    ix_obj *o = h->point(ctx, p);
 
-    if (o &&
-        ix__attr_set_int(ctx, &o->attrs, "SingleSol", s->certified) != IX_OK) {
-        ix__obj_unref(ctx, o);
+    if (o && h->attr_set_int(ctx, o, "SingleSol", s->certified) != IX_OK) {
+        h->unref(ctx, o);
         return NULL;
     }
     return o;
 }
 
-static ix_status sumbilic(ix_call *c)
+static ix_status sumbilic(const ix_host *h, ix_call *c)
 {
     ix_obj *list;
     ix_solutions s;
     ix_status st;
 
-    IX_TRY(ix_srf_umbilics(c->ctx, ix__arg_mv(c, 0), NULL, &s));
+    IX_TRY(ix_srf_umbilics(h->ctx(c), h->arg_mv(c, 0), NULL, &s));
     if (!s.complete)
-        ix__remark(c->in, "stopped after %zu boxes: umbilics may be missing",
-                   s.boxes);
-    list = ix__obj_list(c->ctx);
+        h->remark(c, "stopped after %zu boxes: umbilics may be missing",
+                  s.boxes);
+    list = h->list(h->ctx(c));
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; st == IX_OK && i < s.n; i++)
-        st = ix__list_add(c->ctx, list, umbilic(c->ctx, &s.sol[i]));
-    ix_solutions_free(c->ctx, &s);
-    return ix__ret_list(c, list, st);
+        st = h->list_add(h->ctx(c), list, umbilic(h, h->ctx(c), &s.sol[i]));
+    ix_solutions_free(h->ctx(c), &s);
+    return h->ret_list(c, list, st);
 }
 
 /* Direction i in space, or (a, b, 0). */
-static ix_obj *direction(ix_call *c, const ix_principal *p, int i)
+static ix_obj *direction(const ix_host *h, ix_call *c, const ix_principal *p,
+                         int i)
 {
     const double ab[3] = {p->ab[i][0], p->ab[i][1], 0};
 
-    return ix__obj_vector(c->ctx, ix__arg_bool(c, 3) ? p->dir[i] : ab);
+    return h->vector(h->ctx(c), h->arg_bool(c, 3) ? p->dir[i] : ab);
 }
 
-static ix_status scrvtreval(ix_call *c)
+static ix_status scrvtreval(const ix_host *h, ix_call *c)
 {
     ix_obj *list;
     ix_principal p;
     ix_status st;
 
-    IX_TRY(ix_srf_principal(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1),
-                            ix__arg_num(c, 2), &p));
-    list = ix__obj_list(c->ctx);
+    IX_TRY(ix_srf_principal(h->ctx(c), h->arg_mv(c, 0), h->arg_num(c, 1),
+                            h->arg_num(c, 2), &p));
+    list = h->list(h->ctx(c));
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; st == IX_OK && i < 2; i++) {
-        st = ix__list_add_num(c->ctx, list, p.k[i]);
+        st = h->list_add_num(h->ctx(c), list, p.k[i]);
         if (st == IX_OK)
-            st = ix__list_add(c->ctx, list, direction(c, &p, i));
+            st = h->list_add(h->ctx(c), list, direction(h, c, &p, i));
     }
-    return ix__ret_list(c, list, st);
+    return h->ret_list(c, list, st);
 }
 
-static ix_status sasympeval(ix_call *c)
+static ix_status sasympeval(const ix_host *h, ix_call *c)
 {
     ix_obj *list;
     ix_principal p;
     ix_status st;
     int n;
 
-    IX_TRY(ix_srf_asymptotic(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1),
-                             ix__arg_num(c, 2), &n, &p));
-    list = ix__obj_list(c->ctx);
+    IX_TRY(ix_srf_asymptotic(h->ctx(c), h->arg_mv(c, 0), h->arg_num(c, 1),
+                             h->arg_num(c, 2), &n, &p));
+    list = h->list(h->ctx(c));
     st = list ? IX_OK : IX_ENOMEM;
     for (int i = 0; st == IX_OK && i < n; i++)
-        st = ix__list_add(c->ctx, list, direction(c, &p, i));
-    return ix__ret_list(c, list, st);
+        st = h->list_add(h->ctx(c), list, direction(h, c, &p, i));
+    return h->ret_list(c, list, st);
 }
 
 /* --- table --------------------------------------------------------------- */
@@ -249,7 +245,7 @@ static ix_status sasympeval(ix_call *c)
     "list(point(0,1,0), point(1,1,1), point(2,1,0)))); "
 #define CRV "c = cbezier(list(ctlpt(E2,1,1), ctlpt(E2,2,3), ctlpt(E2,4,2))); "
 
-const ix_builtin ix__builtins_ops_srf[] = {
+static const ix_plugin_row rows[] = {
     {"SRFFFORM", "s:surface k:num -> list",
      "The coefficients 11, 12, 22 of the fundamental form k = 1, 2, 3 as "
      "scalar surfaces; the second with the normal S_v x S_u not normalised.",
@@ -297,3 +293,8 @@ const ix_builtin ix__builtins_ops_srf[] = {
      "to the tangent; k = 2 mirrors p, k = 1 is the pedal.",
      CRV "o = orthotomc(c, point(0, 0, 0), 2);", orthotomc, 0, 20},
     {0}};
+
+ix_status ix__ops_surfaces(const ix_host *h, ix_registry *r)
+{
+    return h->add(r, IX_PLUGIN_VERSION, rows);
+}

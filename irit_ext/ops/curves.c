@@ -1,29 +1,24 @@
-/* builtins_ops_crv.c - differential geometry of curves (chapters 9 and 19 of
- * spec/functions): special points, fields, evolutes, developables. */
-#include <limits.h>
-#include <math.h>
+/* curves.c - differential geometry of curves (chapters 9 and 19 of the
+ * reference): special points, fields, evolutes, developables. */
 #include <string.h>
 
+#include "irit_ext/ops/ops.h"
 #include "iritx/ops_crv.h"
 #include "iritx/ops_srf.h"
-#include "lang/args_freeform.h"
-#include "lang/curve_args.h"
-#include "lang/interp.h"
-#include "lang/op_args.h"
 
 /* --- fields and special points ------------------------------------------- */
 
-static ix_status ret_graph(ix_call *c, ix_crv_field_kind kind)
+static ix_status ret_graph(const ix_host *h, ix_call *c, ix_crv_field_kind kind)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *f, *g;
     ix_status st;
 
-    IX_TRY(ix_crv_field(c->ctx, ix__arg_mv(c, 0), kind, &o, NULL, &f));
-    st = ix_crv_graph(c->ctx, f, o.form == IX_FORM_IRIT, &g);
-    ix_mv_unref(c->ctx, f);
+    IX_TRY(ix_crv_field(h->ctx(c), h->arg_mv(c, 0), kind, &o, NULL, &f));
+    st = ix_crv_graph(h->ctx(c), f, o.form == IX_FORM_IRIT, &g);
+    ix_mv_unref(h->ctx(c), f);
     IX_TRY(st);
-    return ix__ret_mv(c, 0, g);
+    return h->ret_mv(c, 0, g);
 }
 
 /* Parameters with what is known of each: numbers in a list, or places to
@@ -43,37 +38,39 @@ static const char *root_kind(const ix_root *r)
     return kinds[r->kind];
 }
 
-static ix_obj *place_object(ix_ctx *ctx, const places *p, int i)
+static ix_obj *place_object(const ix_host *h, ix_ctx *ctx, const places *p,
+                            int i)
 {
-    ix_obj *o = ix__obj_number(ctx, p->t[i]);
+    ix_obj *o = h->number(ctx, p->t[i]);
     ix_status st = IX_OK;
 
     if (o && p->kind[i])
-        st = ix__attr_set_string(ctx, &o->attrs, "RootKind", p->kind[i]);
+        st = h->attr_set_str(ctx, o, "RootKind", p->kind[i]);
     if (o && p->type && st == IX_OK)
-        st = ix__attr_set_int(ctx, &o->attrs, "ExtremType", p->type[i]);
+        st = h->attr_set_int(ctx, o, "ExtremType", p->type[i]);
     if (st == IX_OK)
         return o;
-    ix__obj_unref(ctx, o);
+    h->unref(ctx, o);
     return NULL;
 }
 
-static ix_status ret_places(ix_call *c, const places *p)
+static ix_status ret_places(const ix_host *h, ix_call *c, const places *p)
 {
-    ix_obj *list = ix__obj_list(c->ctx);
+    ix_obj *list = h->list(h->ctx(c));
     ix_status st = list ? IX_OK : IX_ENOMEM;
 
     for (int i = 0; st == IX_OK && i < p->n; i++)
-        st = ix__list_add(c->ctx, list, place_object(c->ctx, p, i));
-    return ix__ret_list(c, list, st);
+        st = h->list_add(h->ctx(c), list, place_object(h, h->ctx(c), p, i));
+    return h->ret_list(c, list, st);
 }
 
 /* The parts of the curve between the places; those nearer than 10 eps to each
  * other or to an end do not count (spec/operators 2.3). */
-static ix_status ret_parts(ix_call *c, const places *p, double eps)
+static ix_status ret_parts(const ix_host *h, ix_call *c, const places *p,
+                           double eps)
 {
-    const ix_mv *crv = ix__arg_mv(c, 0);
-    ix_obj *list = ix__obj_list(c->ctx);
+    const ix_mv *crv = h->arg_mv(c, 0);
+    ix_obj *list = h->list(h->ctx(c));
     ix_status st = list ? IX_OK : IX_ENOMEM;
     double dom[2], from;
 
@@ -85,29 +82,31 @@ static ix_status ret_parts(ix_call *c, const places *p, double eps)
 
         if (i < p->n && !(to - from > 10 * eps && dom[1] - to > 10 * eps))
             continue;
-        st = ix_mv_region(c->ctx, crv, 0, from, to, &part);
+        st = ix_mv_region(h->ctx(c), crv, 0, from, to, &part);
         if (st == IX_OK)
-            st = ix__list_add(c->ctx, list,
-                              ix__obj_mv(c->ctx, IX_OBJ_CURVE, part));
+            st = h->list_add(h->ctx(c), list,
+                             h->freeform(h->ctx(c), IX_OBJ_CURVE, part));
         from = to;
     }
-    return ix__ret_list(c, list, st);
+    return h->ret_list(c, list, st);
 }
 
-static ix_status ret_either(ix_call *c, const places *p, int op)
+static ix_status ret_either(const ix_host *h, ix_call *c, const places *p,
+                            int op)
 {
-    return op == 2 ? ret_places(c, p) : ret_parts(c, p, ix__arg_num(c, 1));
+    return op == 2 ? ret_places(h, c, p) : ret_parts(h, c, p, h->arg_num(c, 1));
 }
 
 /* Zeros, with both ends of intervals. */
-static ix_status ret_roots(ix_call *c, const ix_root *r, int n, int op)
+static ix_status ret_roots(const ix_host *h, ix_call *c, const ix_root *r,
+                           int n, int op)
 {
     const char **kind;
     places p = {.n = 0};
     double *t;
 
-    IX_SCRATCH(c->ctx, t, 2 * n);
-    IX_SCRATCH(c->ctx, kind, 2 * n);
+    SCRATCH(h, c, t, 2 * n);
+    SCRATCH(h, c, kind, 2 * n);
     for (int i = 0; i < n; i++) {
         bool interval = r[i].kind == IX_ROOT_INTERVAL;
 
@@ -119,46 +118,46 @@ static ix_status ret_roots(ix_call *c, const ix_root *r, int n, int op)
     }
     p.t = t;
     p.kind = kind;
-    return ret_either(c, &p, op);
+    return ret_either(h, c, &p, op);
 }
 
 typedef ix_status (*roots_fn)(ix_ctx *ctx, const ix_mv *crv, ix_root **roots,
                               int *n);
 
-static ix_status roots_of(ix_call *c, roots_fn fn, int op)
+static ix_status roots_of(const ix_host *h, ix_call *c, roots_fn fn, int op)
 {
     ix_root *r;
     ix_status st;
     int n;
 
-    IX_TRY(fn(c->ctx, ix__arg_mv(c, 0), &r, &n));
-    st = ret_roots(c, r, n, op);
-    ix_roots_free(c->ctx, r, n);
+    IX_TRY(fn(h->ctx(c), h->arg_mv(c, 0), &r, &n));
+    st = ret_roots(h, c, r, n, op);
+    ix_roots_free(h->ctx(c), r, n);
     return st;
 }
 
-static ix_status cinflect(ix_call *c)
+static ix_status cinflect(const ix_host *h, ix_call *c)
 {
     int op;
 
-    IX_TRY(ix__arg_int(c, 2, 1, 3, &op));
-    return op == 1 ? ret_graph(c, IX_CRV_INFLECTION)
-                   : roots_of(c, ix_crv_inflections, op);
+    IX_TRY(h->arg_int(c, 2, 1, 3, &op));
+    return op == 1 ? ret_graph(h, c, IX_CRV_INFLECTION)
+                   : roots_of(h, c, ix_crv_inflections, op);
 }
 
-static ix_status ctorsion(ix_call *c)
+static ix_status ctorsion(const ix_host *h, ix_call *c)
 {
     int op;
 
-    IX_TRY(ix__arg_int(c, 2, 1, 4, &op));
+    IX_TRY(h->arg_int(c, 2, 1, 4, &op));
     if (op == 1 || op == 4)
-        return ret_graph(c, op == 1 ? IX_CRV_TORSION : IX_CRV_TORSION_ZERO);
-    return roots_of(c, ix_crv_torsion_zeros, op);
+        return ret_graph(h, c, op == 1 ? IX_CRV_TORSION : IX_CRV_TORSION_ZERO);
+    return roots_of(h, c, ix_crv_torsion_zeros, op);
 }
 
 /* Extrema and zeros of the curvature; what is only stationary is neither. */
-static ix_status ret_features(ix_call *c, const ix_crv_feature *f, int n,
-                              int op)
+static ix_status ret_features(const ix_host *h, ix_call *c,
+                              const ix_crv_feature *f, int n, int op)
 {
     static const int types[] = {
         [IX_CRV_FLAT] = 0, [IX_CRV_MAX] = 1, [IX_CRV_MIN] = -1};
@@ -167,9 +166,9 @@ static ix_status ret_features(ix_call *c, const ix_crv_feature *f, int n,
     double *t;
     int *type;
 
-    IX_SCRATCH(c->ctx, t, n);
-    IX_SCRATCH(c->ctx, kind, n);
-    IX_SCRATCH(c->ctx, type, n);
+    SCRATCH(h, c, t, n);
+    SCRATCH(h, c, kind, n);
+    SCRATCH(h, c, type, n);
     for (int i = 0; i < n; i++) {
         if (f[i].mark == IX_CRV_STATIONARY)
             continue;
@@ -180,169 +179,177 @@ static ix_status ret_features(ix_call *c, const ix_crv_feature *f, int n,
     p.t = t;
     p.kind = kind;
     p.type = type;
-    return ret_either(c, &p, op);
+    return ret_either(h, c, &p, op);
 }
 
-static ix_status ccrvtr(ix_call *c)
+static ix_status ccrvtr(const ix_host *h, ix_call *c)
 {
     ix_crv_feature *f;
     ix_status st;
     int op, n;
 
-    IX_TRY(ix__arg_int(c, 2, 1, 4, &op));
+    IX_TRY(h->arg_int(c, 2, 1, 4, &op));
     if (op == 1 || op == 4)
-        return ret_graph(c, op == 1 ? IX_CRV_CURVATURE_SQR : IX_CRV_CRITICAL);
-    IX_TRY(ix_crv_features(c->ctx, ix__arg_mv(c, 0), &f, &n));
-    st = ret_features(c, f, n, op);
-    ix_crv_features_free(c->ctx, f, n);
+        return ret_graph(h, c,
+                         op == 1 ? IX_CRV_CURVATURE_SQR : IX_CRV_CRITICAL);
+    IX_TRY(ix_crv_features(h->ctx(c), h->arg_mv(c, 0), &f, &n));
+    st = ret_features(h, c, f, n, op);
+    ix_crv_features_free(h->ctx(c), f, n);
     return st;
 }
 
-static ix_status ccrvtreval(ix_call *c)
+static ix_status ccrvtreval(const ix_host *h, ix_call *c)
 {
     double k;
 
-    IX_TRY(ix_crv_curvature(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1), &k));
-    return ix__ret_num(c, k);
+    IX_TRY(ix_crv_curvature(h->ctx(c), h->arg_mv(c, 0), h->arg_num(c, 1), &k));
+    return h->ret_num(c, k);
 }
 
 /* --- curves -------------------------------------------------------------- */
 
-static ix_status cnrmlcrv(ix_call *c)
+static ix_status cnrmlcrv(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_crv_normal_field(c->ctx, ix__arg_mv(c, 0), &o, NULL, &out));
-    return ix__ret_mv(c, 0, out);
+    IX_TRY(ix_crv_normal_field(h->ctx(c), h->arg_mv(c, 0), &o, NULL, &out));
+    return h->ret_mv(c, 0, out);
 }
 
 /* The mean evolute. */
-static ix_status surface_evolute(ix_call *c, const ix_op_opts *o)
+static ix_status surface_evolute(const ix_host *h, ix_call *c,
+                                 const ix_op_opts *o)
 {
     ix_mv *out;
 
-    IX_TRY(ix_srf_evolute(c->ctx, ix__arg_mv(c, 0), o, NULL, &out));
-    return ix__ret_mv(c, 0, out);
+    IX_TRY(ix_srf_evolute(h->ctx(c), h->arg_mv(c, 0), o, NULL, &out));
+    return h->ret_mv(c, 0, out);
 }
 
 /* Several curves, each with its poles. */
-static ix_status ret_pieces(ix_call *c, ix_crvs *e)
+static ix_status ret_pieces(const ix_host *h, ix_call *c, ix_crvs *e)
 {
-    IX_TRY(ix__ret_crvs(c, e));
-    for (int i = 0; i < c->result->u.list.n; i++) {
-        ix_obj *o = c->result->u.list.item[i];
+    ix_ctx *ctx = h->ctx(c);
+    ix_obj *list = h->list(ctx), *o;
+    ix_status st = list ? IX_OK : IX_ENOMEM;
 
-        IX_TRY(ix__tell_poles(c, o, ix__obj_first_mv(o)));
+    for (int i = 0; st == IX_OK && i < e->n; i++) {
+        o = h->freeform(ctx, IX_OBJ_CURVE, ix_mv_ref(e->crv[i]));
+        st = h->list_add(ctx, list, h->ref(o));
+        if (st == IX_OK)
+            st = h->set_poles(c, o, e->crv[i]);
+        h->unref(ctx, o);
     }
-    return IX_OK;
+    ix_crvs_free(ctx, e);
+    return h->ret_list(c, list, st);
 }
 
 /* The only piece, or all of them with a remark. */
-static ix_status evolute(ix_call *c)
+static ix_status evolute(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     double dom[2];
     ix_mv *only;
     ix_crvs e;
 
-    if (ix__arg_mv(c, 0)->ndirs == 2)
-        return surface_evolute(c, &o);
-    IX_TRY(ix_evolute_pieces(c->ctx, ix__arg_mv(c, 0), &o, &e));
+    if (ix_mv_ndirs(h->arg_mv(c, 0)) == 2)
+        return surface_evolute(h, c, &o);
+    IX_TRY(ix_evolute_pieces(h->ctx(c), h->arg_mv(c, 0), &o, &e));
     if (e.n == 0)
-        return IX_ARG_FAIL(c, 0, "a straight line: its evolute is at infinity");
-    ix_mv_domain(ix__arg_mv(c, 0), 0, dom);
+        return h->arg_fail(c, 0, "a straight line: its evolute is at infinity");
+    ix_mv_domain(h->arg_mv(c, 0), 0, dom);
     if (e.t[0] > dom[0] || e.t[2 * e.n - 1] < dom[1] || e.n > 1)
-        ix__remark(c->in, "straight parts are left out: %d piece%s", e.n,
-                   e.n > 1 ? "s" : "");
+        h->remark(c, "straight parts are left out: %d piece%s", e.n,
+                  e.n > 1 ? "s" : "");
     if (e.n > 1)
-        return ret_pieces(c, &e);
+        return ret_pieces(h, c, &e);
     only = ix_mv_ref(e.crv[0]);
-    ix_crvs_free(c->ctx, &e);
-    IX_TRY(ix__ret_mv(c, 0, only));
-    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+    ix_crvs_free(h->ctx(c), &e);
+    IX_TRY(h->ret_mv(c, 0, only));
+    return h->set_poles(c, h->result(c), h->mv_of(h->result(c)));
 }
 
-static ix_status focalcrv(ix_call *c)
+static ix_status focalcrv(const ix_host *h, ix_call *c)
 {
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_focal_crv(c->ctx, ix__arg_mv(c, 0), &o, NULL, &out));
-    IX_TRY(ix__ret_mv(c, 0, out));
-    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+    IX_TRY(ix_focal_crv(h->ctx(c), h->arg_mv(c, 0), &o, NULL, &out));
+    IX_TRY(h->ret_mv(c, 0, out));
+    return h->set_poles(c, h->result(c), h->mv_of(h->result(c)));
 }
 
 /* --- ruled surfaces ------------------------------------------------------- */
 
-static ix_status ret_ruled(ix_call *c, ix_ruled_kind kind)
+static ix_status ret_ruled(const ix_host *h, ix_call *c, ix_ruled_kind kind)
 {
-    double range[2] = {ix__arg_num(c, 1), ix__arg_num(c, 2)};
+    double range[2] = {h->arg_num(c, 1), h->arg_num(c, 2)};
     bool scroll = kind == IX_RULED_NORMAL || kind == IX_RULED_BINORMAL;
-    ix_op_opts o = ix__op_opts(c);
+    ix_op_opts o = h->op_opts(c);
     ix_mv *out;
 
-    IX_TRY(ix_crv_ruled(c->ctx, ix__arg_mv(c, 0), kind, range, &o, NULL, &out));
     IX_TRY(
-        ix__ret_geom(c, -1, out, scroll ? IX__GEOM_RULED : IX__GEOM_DEVELOP));
-    return ix__tell_poles(c, c->result, ix__obj_first_mv(c->result));
+        ix_crv_ruled(h->ctx(c), h->arg_mv(c, 0), kind, range, &o, NULL, &out));
+    IX_TRY(h->ret_geom(c, -1, out, scroll ? GEOM_RULED : GEOM_DEVELOP));
+    return h->set_poles(c, h->result(c), h->mv_of(h->result(c)));
 }
 
-static ix_status tandevsrf(ix_call *c)
+static ix_status tandevsrf(const ix_host *h, ix_call *c)
 {
-    return ret_ruled(c, IX_RULED_TANGENT);
+    return ret_ruled(h, c, IX_RULED_TANGENT);
 }
 
-static ix_status nrmlscroll(ix_call *c)
+static ix_status nrmlscroll(const ix_host *h, ix_call *c)
 {
-    return ret_ruled(c, IX_RULED_NORMAL);
+    return ret_ruled(h, c, IX_RULED_NORMAL);
 }
 
-static ix_status binrmlscroll(ix_call *c)
+static ix_status binrmlscroll(const ix_host *h, ix_call *c)
 {
-    return ret_ruled(c, IX_RULED_BINORMAL);
+    return ret_ruled(h, c, IX_RULED_BINORMAL);
 }
 
-static ix_status rectdevsrf(ix_call *c)
+static ix_status rectdevsrf(const ix_host *h, ix_call *c)
 {
-    return ret_ruled(c, IX_RULED_RECTIFYING);
+    return ret_ruled(h, c, IX_RULED_RECTIFYING);
 }
 
-static ix_status focalsrf(ix_call *c)
+static ix_status focalsrf(const ix_host *h, ix_call *c)
 {
-    return ret_ruled(c, IX_RULED_POLAR);
+    return ret_ruled(h, c, IX_RULED_POLAR);
 }
 
-static ix_status cfncrvtr(ix_call *c)
+static ix_status cfncrvtr(const ix_host *h, ix_call *c)
 {
-    const ix_mv *m = ix__arg_mv(c, 0);
+    const ix_mv *m = h->arg_mv(c, 0);
     int n, order;
     ix_mv *out;
 
-    IX_TRY(ix__arg_int(c, 1, 1, 1000000, &n));
-    IX_TRY(ix__arg_int(c, 2, 2, IX_MAX_ORDER, &order));
-    if (m->ncoords == 1)
-        IX_TRY(ix_curve_of_curvature(c->ctx, m, n, ix__arg_bool(c, 3), &out));
+    IX_TRY(h->arg_int(c, 1, 1, 1000000, &n));
+    IX_TRY(h->arg_int(c, 2, 2, IX_MAX_ORDER, &order));
+    if (ix_mv_ncoords(m) == 1)
+        IX_TRY(ix_curve_of_curvature(h->ctx(c), m, n, h->arg_bool(c, 3), &out));
     else
-        IX_TRY(ix_curvature_function(c->ctx, m, n, order, ix__arg_bool(c, 3),
+        IX_TRY(ix_curvature_function(h->ctx(c), m, n, order, h->arg_bool(c, 3),
                                      &out));
-    return ix__ret_mv(c, 0, out);
+    return h->ret_mv(c, 0, out);
 }
 
 /* --- degrees -------------------------------------------------------------- */
 
-static ix_status ffreduce(ix_call *c)
+static ix_status ffreduce(const ix_host *h, ix_call *c)
 {
-    double tol = ix__arg_num(c, 1);
+    double tol = h->arg_num(c, 1);
     ix_mv *out;
 
     if (!(tol >= 0 && tol < 1))
-        return IX_ARG_FAIL(c, 1,
+        return h->arg_fail(c, 1,
                            "a tolerance of %g; it is relative, 0 for "
                            "rounding only",
                            tol);
-    IX_TRY(ix_sym_reduce(c->ctx, ix__arg_mv(c, 0), tol, NULL, &out));
-    return ix__ret_mv(c, 0, out);
+    IX_TRY(ix_sym_reduce(h->ctx(c), h->arg_mv(c, 0), tol, NULL, &out));
+    return h->ret_mv(c, 0, out);
 }
 
 /* --- table --------------------------------------------------------------- */
@@ -354,7 +361,7 @@ static ix_status ffreduce(ix_call *c)
     "c = cbezier(list(point(0, 0, 0), point(1, 0, 1), point(2, 2, 0), " \
     "point(0, 3, 1))); "
 
-const ix_builtin ix__builtins_ops_crv[] = {
+static const ix_plugin_row rows[] = {
     {"CINFLECT", "c:curve eps:num op:num -> curve|list",
      "Inflections in the xy plane: 1 the field as a graph (t, value), 2 its "
      "zeros, 3 the curve split there; exact to rounding, eps only merges "
@@ -415,3 +422,8 @@ const ix_builtin ix__builtins_ops_crv[] = {
      "rounding) are removed.",
      "e = ffreduce(evolute(circle(vector(1, 2, 0), 3)), 0);", ffreduce, 0, 18},
     {0}};
+
+ix_status ix__ops_curves(const ix_host *h, ix_registry *r)
+{
+    return h->add(r, IX_PLUGIN_VERSION, rows);
+}
