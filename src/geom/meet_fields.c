@@ -150,6 +150,28 @@ static bool vanishes(const ix_mv *product, ix__vec a, ix__vec b)
     return !(largest(product) > 1e-12 * size);
 }
 
+/* Both axes in one plane: y has one direction, and the three planes a line in
+ * common where it is 0. */
+static const ix_mv *one_plane(ix_pool *q, ix__vec y, ix__vec x,
+                              const ix__vec t[2])
+{
+    double turn = 0, size = 0;
+    int k = 0;
+
+    for (int i = 0; i < 3; i++) {
+        turn = fmax(turn, largest(x.x[i]));
+        if (largest(y.x[i]) > largest(y.x[k]))
+            k = i;
+        for (int j = 0; j < 3; j++)
+            size = fmax(size, largest(t[0].x[i]) * largest(t[1].x[j]));
+    }
+    if (q->st == IX_OK && !(turn > 1e-12 * size))
+        q->st = IX_FAIL(q->ctx, IX_EUNABLE,
+                        "the axes are parallel: circles lie in parallel "
+                        "planes");
+    return y.x[k];
+}
+
 ix_status ix__ring_meet_field(ix_ctx *ctx, const ix_mv *const c[4], ix_mv **out)
 {
     ix_pool q = {.ctx = ctx};
@@ -179,25 +201,40 @@ ix_status ix__ring_meet_field(ix_ctx *ctx, const ix_mv *const c[4], ix_mv **out)
     k = k ? ix__pool_scale(&q, k, 0.5) : NULL;
     x = ix__vec_cross(&q, t[0], t[1]);
     det = ix__vec_dot(&q, d, x);
-    if (q.st == IX_OK && vanishes(det, d, x))
-        q.st = IX_FAIL(ctx, IX_EUNABLE,
-                       "both axes lie in one plane: the circles' common points "
-                       "are not determined by linear conditions");
     b = ix__vec_dot(&q, d, t[1]);
     y = ix__vec_cross(&q, d, t[0]);
     for (int e = 0; e < 3; e++)
         y.x[e] = ix__sum0(&q, ix__prod0(&q, y.x[e], b),
                           ix__prod0(&q, x.x[e], k));
+    if (q.st == IX_OK && vanishes(det, d, x))
+        return give(&q, one_plane(&q, y, x, t), c, out);
     return give(&q,
                 ix__diff0(&q, ix__vec_dot(&q, y, y),
                           ix__prod0(&q, r[0], ix__prod0(&q, det, det))),
                 c, out);
 }
 
-ix_status ix__ring_meet_point(ix_ctx *ctx, const ix_mv *const c[4], double u,
-                              double v, double p[3], bool *found)
+/* The common line of three planes, Y.T1 = 0 and Y.T2 = b, meets the circle
+ * twice: side is -1 or 1. */
+static bool on_common_line(double t[2][3], const double n[3], double b,
+                           double r, int side, double y[3])
 {
-    double x[4][3], t[2][3], d[3], n[3], m[3], det, k, b;
+    double up[3], in[3], s, h;
+
+    if (!(ix__unit3(n, up) > 1e-7))
+        return false;
+    ix__cross3(up, t[0], in);
+    s = b / ix__dot3(in, t[1]);
+    h = r * r - s * s;
+    for (int e = 0; e < 3; e++)
+        y[e] = s * in[e] + side * sqrt(fmax(h, 0)) * up[e];
+    return h >= 0;
+}
+
+ix_status ix__ring_meet_point(ix_ctx *ctx, const ix_mv *const c[4], double u,
+                              double v, int side, double p[3], bool *found)
+{
+    double x[4][3], t[2][3], d[3], n[3], m[3], y[3], det, k, b;
 
     *found = false;
     for (int i = 0; i < 4; i++)
@@ -211,10 +248,14 @@ ix_status ix__ring_meet_point(ix_ctx *ctx, const ix_mv *const c[4], double u,
     b = ix__dot3(d, t[1]);
     k = (ix__dot3(d, d) + x[1][0] * x[1][0] - x[3][0] * x[3][0]) / 2;
     /* 1e-7: half of the digits of Y are left */
-    if (!(fabs(det) > 1e-7 * ix__len3(d)))
-        return IX_OK;
-    for (int e = 0; e < 3; e++)
-        p[e] = x[0][e] + (b * m[e] + k * n[e]) / det;
-    *found = true;
+    if (fabs(det) > 1e-7 * ix__len3(d)) {
+        *found = side > 0;
+        for (int e = 0; e < 3; e++)
+            y[e] = (b * m[e] + k * n[e]) / det;
+    } else {
+        *found = on_common_line(t, n, b, x[1][0], side, y);
+    }
+    for (int e = 0; *found && e < 3; e++)
+        p[e] = x[0][e] + y[e];
     return IX_OK;
 }

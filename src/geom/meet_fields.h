@@ -26,13 +26,17 @@ ix_status ix__ruled_meet_point(ix_ctx *ctx, const ix_mv *const c[4], double u,
  *   d Y = (D.T2) D x T1 + (|D|^2 + r1^2 - r2^2)/2 T1 x T2,  d = D.(T1 x T2)
  *   F(u, v) = |d Y|^2 - r1^2 d^2
  *
- * vanishes where the circles meet (Heo, Hong, Seong, Kim, Elber 2001).
- * Errors as above; IX_EUNABLE both axes lie in one plane, or (IX_EARG) a radius
- * is rational; radii are scalar curves on their axis' domain (mapped). */
+ * vanishes where the circles meet (Heo, Hong, Seong, Kim, Elber 2001). Where
+ * both axes lie in one plane d is 0 everywhere: then F is the one component of
+ * d Y, zero where the three planes share a line.
+ * Errors as above; IX_EUNABLE parallel axes; IX_EARG a radius is rational;
+ * radii are scalar curves on their axis' domain (mapped). */
 ix_status ix__ring_meet_field(ix_ctx *ctx, const ix_mv *const c[4],
                               ix_mv **out) IX_MUST_CHECK;
-/* The common point C1 + Y; *found false if it is not determined. */
+/* The common point C1 + Y; *found false if it is not determined. The common
+ * line has two, side -1 and 1; otherwise the point belongs to side 1. */
 ix_status ix__ring_meet_point(ix_ctx *ctx, const ix_mv *const c[4], double u,
-                              double v, double p[3], bool *found) IX_MUST_CHECK;
+                              double v, int side, double p[3],
+                              bool *found) IX_MUST_CHECK;
 
 #endif

@@ -338,45 +338,72 @@ static ix_status bounded_ruled(ix_call *c, const ix_mv *const m[4],
     return st;
 }
 
-/* A curve (u, v) of the field's zeros: points in space, (u, along) of both. */
-static ix_status add_zero_curve(ix_call *c, const ix_mv *const m[4],
-                                const ix_solution_curve *k, bool ringed,
-                                results *r)
+/* Vertices of a curve (u, v) of the field's zeros: points in space, parameters
+ * on both surfaces. */
+typedef struct {
+    bool found;
+    double at[3][3];
+} vertex;
+
+/* Ruled (side 0) or ringed, whose circles may meet on either side. */
+static ix_status locate(ix_call *c, const ix_mv *const m[4], const double *uv,
+                        int side, vertex *x)
 {
-    double *pts[3];
-    size_t room = (size_t)k->n;
-    int n = 0;
+    double along[2] = {uv[1], uv[0]};
 
-    for (int e = 0; e < 3; e++)
-        IX_SCRATCH(c->ctx, pts[e], 3 * room);
-    for (int pass = 0; pass < 2; pass++) { /* count, then fill */
-        int total = n;
-
-        n = 0;
-        for (int i = 0; i < k->n; i++) {
-            const double *uv = k->x + 2 * (size_t)i;
-            double p[3], along[2] = {uv[1], uv[0]};
-            bool found;
-
-            if (ringed)
-                IX_TRY(ix__ring_meet_point(c->ctx, m, uv[0], uv[1], p, &found));
-            else
-                IX_TRY(ix__ruled_meet_point(c->ctx, m, uv[0], uv[1], p, along,
-                                            &found));
-            for (int e = 0; pass && found && e < 3; e++)
-                pts[0][e * total + n] = p[e];
-            for (int e = 0; pass && found && e < 2; e++) {
-                pts[e + 1][n] = uv[e];
-                pts[e + 1][total + n] = along[e];
-            }
-            n += found;
-        }
+    if (side)
+        IX_TRY(ix__ring_meet_point(c->ctx, m, uv[0], uv[1], side, x->at[0],
+                                   &x->found));
+    else
+        IX_TRY(ix__ruled_meet_point(c->ctx, m, uv[0], uv[1], x->at[0], along,
+                                    &x->found));
+    for (int e = 0; e < 2; e++) {
+        x->at[e + 1][0] = uv[e];
+        x->at[e + 1][1] = along[e];
     }
-    for (int e = 0; n > 1 && e < r->n; e++) {
+    return IX_OK;
+}
+
+/* n > 1 vertices in a row as a curve of each list. */
+static ix_status add_run(ix_call *c, int n, const vertex *x, results *r)
+{
+    double *pts;
+
+    IX_SCRATCH(c->ctx, pts, 3 * (size_t)n);
+    for (int e = 0; e < r->n; e++) {
+        int nc = e ? 2 : 3;
         ix_obj *o;
 
-        IX_TRY(ix__polyline_curve(c, n, e ? 2 : 3, pts[e], &o));
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < nc; k++)
+                pts[k * n + i] = x[i].at[e][k];
+        IX_TRY(ix__polyline_curve(c, n, nc, pts, &o));
         IX_TRY(ix__list_add(c->ctx, r->list[e], o));
+    }
+    return IX_OK;
+}
+
+static ix_status add_zero_curve(ix_call *c, const ix_mv *const m[4],
+                                const ix_solution_curve *k, int side,
+                                results *r)
+{
+    vertex *x;
+    int run = 0;
+
+    IX_SCRATCH(c->ctx, x, k->n);
+    for (int i = 0; i < k->n; i++) {
+        IX_TRY(locate(c, m, k->x + 2 * (size_t)i, side, &x[i]));
+        run = x[i].found ? run + 1 : 0;
+        if (run > 1 && i + 1 == k->n)
+            IX_TRY(add_run(c, run, x + i + 1 - run, r));
+        if (!x[i].found && i > 0 && x[i - 1].found) {
+            int first = i - 1;
+
+            while (first > 0 && x[first - 1].found)
+                first--;
+            if (i - first > 1)
+                IX_TRY(add_run(c, i - first, x + first, r));
+        }
     }
     return IX_OK;
 }
@@ -390,8 +417,11 @@ static ix_status zero_curves(ix_call *c, const ix_mv *const m[4],
 
     IX_TRY(ix_contour(c->ctx, f, value, ix__contour_tolerance(c), &s));
     remark_open(c, s.complete, s.boxes);
-    for (int i = 0; st == IX_OK && i < s.ncurves; i++)
+    for (int i = 0; st == IX_OK && i < s.ncurves; i++) {
         st = add_zero_curve(c, m, &s.curve[i], ringed, r);
+        if (st == IX_OK && ringed)
+            st = add_zero_curve(c, m, &s.curve[i], -1, r);
+    }
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }
@@ -470,9 +500,10 @@ const ix_builtin ix__builtins_contact[] = {
      "Where two ringed surfaces (circles in the normal planes of an axis, "
      "their radius a scalar polynomial curve) meet: lists of the curves in "
      "space and of those in both axes' parameters; or with zeroFunc the scalar "
-     "surface that vanishes where circles meet. The axes are not in one plane; "
-     "places where two circles lie "
-     "in parallel planes have no single point and are left out in space.",
+     "surface that vanishes where circles meet, or, if both axes lie in one "
+     "plane, where their planes and the radical plane share a line. Circles in "
+     "parallel planes are left out; curves end at the last of their vertices "
+     "where circles meet.",
      LINES "r = ctlpt(E1,0.8) + ctlpt(E1,0.8); l = gginter(a, r, d, r, 20, "
            "false);",
      gginter, 0, 13},
