@@ -65,7 +65,7 @@ static ix_status crossings(ix_ctx *ctx, const ix__set *s, int curve,
     ix__place *more;
 
     IX_TRY(ix_crv_crv_meet(ctx, a, b, &few, &meet));
-    more = ix__scratch(ctx, (size_t)(out->n + PER_CROSSING * meet.n),
+    more = ix__scratch(ctx, (size_t)out->n + PER_CROSSING * (size_t)meet.n,
                        sizeof *more);
     if (more) {
         if (out->n)

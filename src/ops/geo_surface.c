@@ -152,8 +152,9 @@ static ix_status find_size(ix_ctx *ctx, ix__geo_srf *s)
 
     s->size = 1;
     for (int i = 0; i < PROBES * PROBES; i++) {
+        int row = i / PROBES;
         double u = (double)(i % PROBES) / (PROBES - 1);
-        double v = (double)(i / PROBES) / (PROBES - 1);
+        double v = (double)row / (PROBES - 1);
 
         if (!ix__geo_eval(s, ix__geo_cell_of(s, u, v), u, v, 0, j))
             continue;

@@ -207,7 +207,8 @@ static ix_status exact_straight(const maker *k, ix_bisector_piece *p)
         return bezier(k->ctx, 2, c, &p->exact);
     IX_TRY(fixed_foot(k, p, 0, a)); /* a whole line: its middle between */
     IX_TRY(fixed_foot(k, p, 1, b));
-    memcpy(c + 6, c + 3, 3 * sizeof(double));
+    for (int i = 0; i < 3; i++)
+        c[6 + i] = c[3 + i];
     c[3] = 1.0;
     c[4] = 0.5 * (a[0] + b[0]);
     c[5] = 0.5 * (a[1] + b[1]);

@@ -292,7 +292,7 @@ static ix_status load_curve(builder *b, const ix_mv *crv, int index,
 
     IX_TRY(ix__forms_load(b->ctx, 1, &crv, frame, &f));
     sp = &f.dirs[0];
-    n = (size_t)(sp->degree + 1);
+    n = (size_t)sp->degree + 1;
     for (int j = 0; j < sp->nspans; j++) {
         ix__span *s = new_span(b);
         double *p;

@@ -443,11 +443,17 @@ ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     if (!(size > 0.0) || !isfinite(size))
         return IX_FAIL(ctx, IX_EARG, "a size of %g", size);
-    k.a = goes_last(a, b) ? *b : *a;
-    k.b = goes_last(a, b) ? *a : *b;
-    k.irit = form == IX_FORM_IRIT;
-    k.opts = (ix_op_opts){IX_FORM_MINIMAL, o ? o->max_cont : INT_MAX};
+    k.a = *a;
+    k.b = *b;
     IX_TRY(check_prim(ctx, &k.a));
     IX_TRY(check_prim(ctx, &k.b));
+    if (goes_last(&k.a, &k.b)) {
+        ix_prim first = k.b;
+
+        k.b = k.a;
+        k.a = first;
+    }
+    k.irit = form == IX_FORM_IRIT;
+    k.opts = (ix_op_opts){IX_FORM_MINIMAL, o ? o->max_cont : INT_MAX};
     IX_RETURN_SCOPED(ctx, reduce(ctx, &k));
 }
