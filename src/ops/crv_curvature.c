@@ -83,27 +83,15 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_frac *out)
     return ix__ratio_even(ctx, out);
 }
 
-/* Weight and numerators by the degree form in arg. */
-static ix_status fraction(ix_ctx *ctx, const ix_curve *c, void *arg,
-                          ix_form *out)
-{
-    const ix_degree_form *form = arg;
-    ix_frac f;
-
-    if (*form == IX_FORM_MINIMAL)
-        IX_TRY(minimal(ctx, c, &f));
-    else if (*form == IX_FORM_PUBLISHED)
-        IX_TRY(published(ctx, c, &f));
-    else
-        IX_TRY(naive(ctx, c, &f));
-    out[0] = f.w;
-    out[1] = f.x;
-    return IX_OK;
-}
+static const ix__curve_frac builders[] = {[IX_FORM_MINIMAL] = minimal,
+                                          [IX_FORM_PUBLISHED] = published,
+                                          [IX_FORM_NAIVE] = naive,
+                                          [IX_FORM_IRIT] = naive};
 
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
                        const ix_op_opts *o, ix_mv **out)
 {
+    ix__curve_frac build_by = builders[form];
     ix_form f;
     ix_curve c;
 
@@ -114,7 +102,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
             return IX_FAIL(ctx, IX_EDOMAIN,
                            "the curve is a point over [%g, %g]",
                            c.p.dirs[0].breaks[j], c.p.dirs[0].breaks[j + 1]);
-    IX_TRY(ix__curve_forms(ctx, &c, fraction, &form, &f));
+    IX_TRY(ix__curve_forms(ctx, &c, ix__ratio_forms, &build_by, &f));
     return ix__rows_store(ctx, &f, true, -c.frame.exp, ix__join_rule(o), out);
 }
 

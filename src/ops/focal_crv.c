@@ -84,23 +84,10 @@ static ix_status naive(ix_ctx *ctx, const ix_curve *c, ix_frac *out)
     return ix__ratio_add(ctx, &x, 1, &y, out);
 }
 
-/* Weight and numerators by the degree form in arg. */
-static ix_status fraction(ix_ctx *ctx, const ix_curve *c, void *arg,
-                          ix_form *out)
-{
-    const ix_degree_form *form = arg;
-    ix_frac f;
-
-    if (*form == IX_FORM_PUBLISHED)
-        IX_TRY(published(ctx, c, &f));
-    else if (*form == IX_FORM_NAIVE)
-        IX_TRY(naive(ctx, c, &f));
-    else
-        IX_TRY(minimal(ctx, c, &f));
-    out[0] = f.w;
-    out[1] = f.x;
-    return IX_OK;
-}
+static const ix__curve_frac builders[] = {[IX_FORM_MINIMAL] = minimal,
+                                          [IX_FORM_PUBLISHED] = published,
+                                          [IX_FORM_NAIVE] = naive,
+                                          [IX_FORM_IRIT] = minimal};
 
 static ix_status check_torsion(ix_ctx *ctx, const ix_curve *c)
 {
@@ -119,6 +106,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
                        const ix_op_opts *o, ix_mv **out)
 {
     ix_op_opts own = {form, o ? o->max_cont : INT_MAX};
+    ix__curve_frac build_by = builders[form];
     ix_form f;
     ix_curve c;
 
@@ -126,7 +114,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *crv, ix_degree_form form,
         ix__curve_load(ctx, crv, IX__CURVE_SPACE, form == IX_FORM_MINIMAL, &c));
     IX_TRY(ix__curve_torsion(ctx, &c, &c.t, &c.et));
     IX_TRY(check_torsion(ctx, &c));
-    IX_TRY(ix__curve_forms(ctx, &c, fraction, &form, &f));
+    IX_TRY(ix__curve_forms(ctx, &c, ix__ratio_forms, &build_by, &f));
     return ix__curve_store(ctx, &c, &f, 3, ix__join_rule(&own), out);
 }
 

@@ -26,6 +26,18 @@ ix_frac ix__ratio_of(const ix_curve *c)
     return (ix_frac){c->p, c->w, c->rational};
 }
 
+ix_status ix__ratio_forms(ix_ctx *ctx, const ix_curve *c, void *arg,
+                          ix_form *out)
+{
+    const ix__curve_frac *fn = arg;
+    ix_frac f = {.rational = true};
+
+    IX_TRY((*fn)(ctx, c, &f));
+    out[0] = f.w;
+    out[1] = f.x;
+    return IX_OK;
+}
+
 ix_status ix__ratio_partial(ix_ctx *ctx, const ix_frac *f, int dir,
                             ix_frac *out)
 {

@@ -13,6 +13,13 @@
 ix_status ix__ratio_even(ix_ctx *ctx, ix_frac *f) IX_MUST_CHECK;
 /* The curve itself. */
 ix_frac ix__ratio_of(const ix_curve *c);
+/* A fraction made of a curve. */
+typedef ix_status (*ix__curve_frac)(ix_ctx *ctx, const ix_curve *c,
+                                    ix_frac *out);
+/* For ix__curve_forms: weight and numerators of the fraction that the
+ * ix__curve_frac in arg makes. */
+ix_status ix__ratio_forms(ix_ctx *ctx, const ix_curve *c, void *arg,
+                          ix_form *out) IX_MUST_CHECK;
 /* The derivative in direction dir, (X'W - XW') / W^2 of degree 2d in every
  * direction; the derivative of a polynomial. */
 ix_status ix__ratio_partial(ix_ctx *ctx, const ix_frac *f, int dir,
