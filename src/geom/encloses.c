@@ -2,10 +2,11 @@
  * right of the point is crossed upwards or downwards at roots of y. */
 #include <math.h>
 
+#include "geom/crvs.h"
 #include "iritx/distance.h"
 #include "mv/mv.h"
 
-static ix_status check_closed(ix_ctx *ctx, const ix_mv *c)
+ix_status ix__check_closed(ix_ctx *ctx, const ix_mv *c)
 {
     double dom[2], a[3] = {0}, b[3] = {0}, gap = 0, size = 0;
 
@@ -63,7 +64,7 @@ ix_status ix_crv_encloses(ix_ctx *ctx, const ix_mv *c, const double p[3],
     ix_root *r;
 
     *where = -1;
-    IX_TRY(check_closed(ctx, c));
+    IX_TRY(ix__check_closed(ctx, c));
     IX_TRY(ix_mv_coerce(ctx, c, 2, c->rational, &flat));
     st = ix_crv_nearest(ctx, flat, foot, NULL, false, &t, &d);
     ix_mv_unref(ctx, flat);

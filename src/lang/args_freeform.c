@@ -352,3 +352,22 @@ ix_status ix__ret_trim_curves(ix_call *c, const ix_trimsrf *t, bool param)
         }
     return ix__ret_list(c, list, st);
 }
+
+ix_status ix__arg_vertices(ix_call *c, int arg, int *n, double (**out)[3])
+{
+    const ix_poly *p = c->argv[arg]->u.poly;
+    double(*v)[3];
+
+    *n = 0;
+    for (int i = 0; i < p->n; i++)
+        *n += p->poly[i].n;
+    IX_SCRATCH(c->ctx, v, *n);
+    *n = 0;
+    for (int i = 0; i < p->n; i++)
+        for (int k = 0; k < p->poly[i].n; k++) {
+            memcpy(v[*n], p->poly[i].v[k].p, sizeof *v);
+            v[(*n)++][2] = 0;
+        }
+    *out = v;
+    return IX_OK;
+}

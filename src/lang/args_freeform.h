@@ -45,6 +45,10 @@ ix_status ix__arg_pttype(ix_call *c, int i, int *ncoords,
 /* The vector of three coordinates of a point or vector, no projection. */
 ix_status ix__arg_vec3(ix_call *c, int i, double v[3]) IX_MUST_CHECK;
 
+/* All vertices of polygons in scratch, z set to 0. */
+ix_status ix__arg_vertices(ix_call *c, int i, int *n,
+                           double (**out)[3]) IX_MUST_CHECK;
+
 /* --- results ----------------------------------------------------------- */
 
 /* A freeform of ndirs directions, each of the given basis, whose control points

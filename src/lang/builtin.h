@@ -86,6 +86,7 @@ extern const ix_builtin ix__builtins_solve[];
 extern const ix_builtin ix__builtins_offset[];
 extern const ix_builtin ix__builtins_enclose[];
 extern const ix_builtin ix__builtins_touch[];
+extern const ix_builtin ix__builtins_visible[];
 extern const ix_builtin ix__builtins_text[];
 extern const ix_builtin ix__builtins_envelope[];
 extern const ix_builtin ix__builtins_planar[];

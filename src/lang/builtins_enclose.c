@@ -33,26 +33,6 @@ static ix_status ret_ball(ix_call *c, ix_obj_type type, const ix_mv *m,
     return st;
 }
 
-/* All vertices of argument 0 in scratch, z set to 0. */
-static ix_status poly_points(ix_call *c, int *n, double (**out)[3])
-{
-    const ix_poly *p = c->argv[0]->u.poly;
-    double(*v)[3];
-
-    *n = 0;
-    for (int i = 0; i < p->n; i++)
-        *n += p->poly[i].n;
-    IX_SCRATCH(c->ctx, v, *n);
-    *n = 0;
-    for (int i = 0; i < p->n; i++)
-        for (int k = 0; k < p->poly[i].n; k++) {
-            memcpy(v[*n], p->poly[i].v[k].p, sizeof *v);
-            v[(*n)++][2] = 0;
-        }
-    *out = v;
-    return IX_OK;
-}
-
 static ix_status point_list(ix_call *c, int *n, double (**out)[3])
 {
     const ix_list *l = &c->argv[0]->u.list;
@@ -81,7 +61,7 @@ static ix_status mscirc(ix_call *c)
     int n;
 
     if (c->argv[0]->type == IX_OBJ_POLY) {
-        IX_TRY(poly_points(c, &n, &p));
+        IX_TRY(ix__arg_vertices(c, 0, &n, &p));
         IX_TRY(ix_ball_of_points(c->ctx, n, (const double(*)[3])p, &b));
     } else {
         IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));

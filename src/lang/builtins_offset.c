@@ -4,6 +4,7 @@
 
 #include "iritx/offset.h"
 #include "lang/args_freeform.h"
+#include "lang/curve_args.h"
 #include "lang/interp.h"
 
 /* --- one offset ------------------------------------------------------------
@@ -102,19 +103,6 @@ static ix_status offset(ix_call *c)
 /* --- trimmed ones
  * ------------------------------------------------------------ */
 
-/* The pieces as a list. */
-static ix_status ret_pieces(ix_call *c, const ix_crvs *p)
-{
-    ix_obj *list = ix__obj_list(c->ctx);
-    ix_status st = list ? IX_OK : IX_ENOMEM;
-
-    for (int i = 0; st == IX_OK && i < p->n; i++)
-        st = ix__list_add(
-            c->ctx, list,
-            ix__obj_mv(c->ctx, IX_OBJ_CURVE, ix_mv_ref(p->crv[i])));
-    return ix__ret_list(c, list, st);
-}
-
 /* The pieces end to end as one curve. */
 static ix_status merged(ix_call *c, const ix_crvs *p, ix_mv **out)
 {
@@ -184,7 +172,6 @@ static ix_status loffset(ix_call *c)
 
 static ix_status toffset(ix_call *c)
 {
-    ix_status st;
     double *v;
     ix_crvs p;
     int n;
@@ -197,9 +184,7 @@ static ix_status toffset(ix_call *c)
                            n);
     IX_TRY(
         ix_offset_trim(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1), v[2], &p));
-    st = ret_pieces(c, &p);
-    ix_crvs_free(c->ctx, &p);
-    return st;
+    return ix__ret_crvs(c, &p);
 }
 
 static ix_status iloffset(ix_call *c)

@@ -66,6 +66,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_offset,
     ix__builtins_enclose,
     ix__builtins_touch,
+    ix__builtins_visible,
     ix__builtins_text,
     ix__builtins_envelope,
     ix__builtins_planar,

@@ -1,4 +1,4 @@
-/* MZERO and MUNIVZERO when they are interrupted or run out of memory. */
+/* Functions on the solver when they are interrupted or run out of memory. */
 #define _POSIX_C_SOURCE 200809L
 #include "session.h"
 

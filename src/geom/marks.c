@@ -1,0 +1,116 @@
+/* marks.c - see the header. */
+#include "geom/marks.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geom/crvs.h"
+#include "geom/outer_mv.h"
+#include "geom/pool.h"
+
+ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
+{
+    *out = (ix__marks){.ctx = ctx, .crv = crv, .room = 64};
+    IX_TRY(ix__check_planar(ctx, crv));
+    IX_TRY(ix__path_new(ctx, crv, &out->path));
+    IX_TRY(ix__path_no_poles(ctx, &out->path));
+    IX_SCRATCH(ctx, out->t, out->room);
+    out->size = ix__path_size(&out->path);
+    out->dom[0] = out->path.breaks[0];
+    out->dom[1] = out->path.breaks[out->path.nspans];
+    IX_TRY(ix__marks_add(out, out->dom[0]));
+    IX_TRY(ix__marks_add(out, out->dom[1]));
+    for (int s = 1; s < out->path.nspans; s++)
+        if (ix__path_is_corner(&out->path, s))
+            IX_TRY(ix__marks_add(out, out->path.breaks[s]));
+    return IX_OK;
+}
+
+ix_status ix__marks_add(ix__marks *m, double t)
+{
+    if (m->n == m->room) {
+        double *more;
+
+        IX_SCRATCH(m->ctx, more, 2 * m->room);
+        memcpy(more, m->t, (size_t)m->n * sizeof *more);
+        m->t = more;
+        m->room *= 2;
+    }
+    m->t[m->n++] = fmax(m->dom[0], fmin(m->dom[1], t));
+    return IX_OK;
+}
+
+ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r, int n)
+{
+    for (int i = 0; i < n; i++) {
+        bool wide = r[i].kind == IX_ROOT_INTERVAL;
+
+        IX_TRY(ix__marks_add(m, wide ? r[i].lo : r[i].t));
+        if (wide)
+            IX_TRY(ix__marks_add(m, r[i].hi));
+    }
+    return IX_OK;
+}
+
+ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s)
+{
+    ix_status st = IX_OK;
+
+    for (int i = 0; st == IX_OK && i < 2 * s->n; i++)
+        st = ix__marks_add(m, s->sol[i / 2].x[i % 2]);
+    ix_solutions_free(m->ctx, s);
+    return st;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return x < y ? -1 : x > y;
+}
+
+void ix__marks_sort(ix__marks *m)
+{
+    double tie = 1e-9 * (m->dom[1] - m->dom[0]);
+    int n = 1;
+
+    qsort(m->t, (size_t)m->n, sizeof *m->t, ascending);
+    for (int i = 1; i < m->n; i++)
+        if (m->t[i] - m->t[n - 1] > tie)
+            m->t[n++] = m->t[i];
+    m->t[n - 1] = m->dom[1]; /* one next to the end is the end */
+    m->n = n;
+}
+
+/* f' of the numerator f, or what f' w - f w' is for a fraction. */
+static ix_status slope(ix_ctx *ctx, const ix_mv *crv, const ix_mv *f,
+                       ix_mv **out)
+{
+    ix_pool q = {.ctx = ctx};
+
+    return ix__pool_give(
+        &q,
+        crv->rational ? ix__pool_wronskian(&q, f, ix__pool_axis(&q, crv, 0), 0)
+                      : ix__pool_derive(&q, f, 0),
+        out);
+}
+
+ix_status ix__marks_line(const ix__marks *m, const double at[2],
+                         const double normal[2], bool stationary, ix_root **r,
+                         int *n)
+{
+    const double plane[4] = {normal[0], normal[1], 0,
+                             -(normal[0] * at[0] + normal[1] * at[1])};
+    ix_status st = IX_OK;
+    ix_mv *f, *d = NULL;
+
+    IX_TRY(ix__affine_field(m->ctx, m->crv, plane, &f));
+    if (stationary)
+        st = slope(m->ctx, m->crv, f, &d);
+    if (st == IX_OK)
+        st = ix_roots(m->ctx, d ? d : f, 0, NULL, r, n);
+    ix_mv_unref(m->ctx, f);
+    ix_mv_unref(m->ctx, d);
+    return st;
+}

@@ -1,0 +1,37 @@
+/* marks.h - parameters of a curve at which something changes, collected in
+ * scratch memory, and the curve's meetings with a line. */
+#ifndef GEOM_MARKS_H
+#define GEOM_MARKS_H
+
+#include "geom/path.h"
+#include "iritx/solve.h"
+
+typedef struct {
+    ix_ctx *ctx;
+    const ix_mv *crv;
+    ix_path path;
+    double dom[2], size;
+    int n, room;
+    double *t;
+} ix__marks;
+
+/* For a planar curve without poles; the ends of its domain and its corners
+ * are marked. */
+ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv,
+                        ix__marks *out) IX_MUST_CHECK;
+ix_status ix__marks_add(ix__marks *m, double t) IX_MUST_CHECK;
+/* The ends of all roots. */
+ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r,
+                              int n) IX_MUST_CHECK;
+/* Both parameters of pairs; releases s. */
+ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s) IX_MUST_CHECK;
+/* Sorts them; one of those closer than 1e-9 of the domain stays. */
+void ix__marks_sort(ix__marks *m);
+
+/* Where (C - at) . normal vanishes, or with stationary, where its derivative
+ * does; freed with ix_roots_free. */
+ix_status ix__marks_line(const ix__marks *m, const double at[2],
+                         const double normal[2], bool stationary, ix_root **r,
+                         int *n) IX_MUST_CHECK;
+
+#endif
