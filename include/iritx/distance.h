@@ -105,6 +105,12 @@ ix_status ix_crv_tangent_circles(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
 ix_status ix_crv_ray_traps(ix_ctx *ctx, int n, const ix_mv *const *crv,
                            ix_solutions *out) IX_MUST_CHECK;
 
+/* Light that bounces between two surfaces and returns: (u1, v1, u2, v2) whose
+ * chord is normal to both; points in which they meet do not count. Err IX_EARG
+ * not Bezier or B-spline surfaces of at most 3 coordinates. */
+ix_status ix_srf_ray_traps(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                           ix_solutions *out) IX_MUST_CHECK;
+
 /* --- pairs of points of one surface -----------------------------------------
  */
 

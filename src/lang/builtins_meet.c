@@ -197,20 +197,6 @@ static ix_status crc2crvtan(ix_call *c)
     return ix__ret_list(c, list, st);
 }
 
-static ix_status raytraps(ix_call *c)
-{
-    const ix_mv **crv;
-    ix_solutions s;
-    int n;
-
-    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
-    IX_TRY(ix_crv_ray_traps(c->ctx, n, crv, &s));
-    return ret_solutions(c, &s);
-}
-
-/* --- several freeforms
- * -------------------------------------------------------------- */
-
 static bool all_have(const ix_mv **mv, int n, int ndirs)
 {
     for (int i = 0; i < n; i++)
@@ -218,6 +204,29 @@ static bool all_have(const ix_mv **mv, int n, int ndirs)
             return false;
     return true;
 }
+
+static ix_status raytraps(ix_call *c)
+{
+    const ix_mv **crv;
+    ix_solutions s;
+    int n;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_UNDEF, &n, &crv));
+    if (n > 0 && all_have(crv, n, 1)) {
+        IX_TRY(ix_crv_ray_traps(c->ctx, n, crv, &s));
+    } else {
+        if (n != 2 || !all_have(crv, n, 2))
+            return IX_ARG_FAIL(c, 0,
+                               "%d freeforms; 2 to %d curves, or 2 surfaces, "
+                               "are wanted",
+                               n, IX_MAX_UNKNOWNS);
+        IX_TRY(ix_srf_ray_traps(c->ctx, crv[0], crv[1], &s));
+    }
+    return ret_solutions(c, &s);
+}
+
+/* --- several freeforms
+ * -------------------------------------------------------------- */
 
 /* Vertices of the intersection curves of two surfaces as control points. */
 static ix_status meeting_cloud(ix_call *c, const ix_mv **mv, double cell)
@@ -564,9 +573,9 @@ const ix_builtin ix__builtins_meet[] = {
      crc2crvtan, 0, 9},
     {"RAYTRAPS", "l:list orient:num subdiv:num numer:num trees:num -> list",
      "Closed paths of light that bounce once on each of 2 to 6 curves, in the "
-     "order of the list, in the XY plane: control points of the parameters. "
-     "The "
-     "other arguments are not needed.",
+     "order of the list, in the XY plane, or between 2 surfaces: control "
+     "points "
+     "of the parameters. The other arguments are not needed.",
      "a = cbezier(list(ctlpt(E2,-1,1), ctlpt(E2,0,0.2), ctlpt(E2,1,1))); "
      "l = raytraps(list(a, a * ty(-3)), true, 0.1, -1e-6, true);",
      raytraps, 0, 22},

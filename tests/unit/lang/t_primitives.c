@@ -75,6 +75,9 @@ static void test_visible(void **state)
         "c = cbspline(2, list(ctlpt(E2, 0, 0), ctlpt(E2, 1, 4), ctlpt(E2, 2, "
         "0), ctlpt(E2, 1, 1), ctlpt(E2, 0, 0)), list(kv_open)); "
         "h = cnvxhull(c, 1);",
+        "a = sbezier(list(list(point(0, 0, 0), point(1, 0, 0)), list(point(0, "
+        "1, 0), point(1, 1, 1)))); l = raytraps(list(a, a * tz(2)), 1, 0.1, "
+        "-1, 1);",
         "p = circpoly(vector(1, 0, 0), vector(0, 0, 0), 1); "
         "q = cnvxhull(circpoly(vector(0, 0, 1), vector(0, 0, 0), 1), 1);",
         NULL};
