@@ -157,6 +157,38 @@ ix_status ix_pt_srf_bisector(ix_ctx *ctx, const ix_mv *srf, const double q[3],
 ix_status ix_finite_pieces(ix_ctx *ctx, const ix_mv *m, int depth, double reach,
                            ix_mv_pieces *out) IX_MUST_CHECK;
 
+/* The points whose distances from two space curves have a constant ratio,
+ *
+ *   (1 - alpha) |B - C1| = alpha |B - C2|, (B - C1).C1' = 0, (B - C2).C2' = 0
+ *
+ * unlike those of ix_calphasector3d. They are not rational: a quadratic
+ * equation has two solutions over each pair of parameters.
+ *
+ * In    c1, c2  2 or 3 coordinates, C2 at least for the accuracy to grow fast
+ *       alpha   0 < alpha < 1, not 1/2 (ix_cbisector3d); near 0 next to C1
+ *       tol     > 0: distance of the result from the sheets half way between
+ *               the points that it interpolates
+ * Out   *out    two bicubic E3 B-splines over the domains of c1 and c2, a sheet
+ *               each, of 17 x 17 to 257 x 257 points
+ *       *err    that distance, may be NULL
+ * Err   IX_EARG    alpha, tol, operands
+ *       IX_EDOMAIN no real solution over some parameters (the message names
+ *                  them), or the normal planes are parallel there; no tangent
+ *       IX_EUNABLE 257 x 257 points are not enough */
+ix_status ix_ratio_sector(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                          double alpha, double tol, double *err,
+                          ix_crvs *out) IX_MUST_CHECK;
+
+/* Directions equally far, on the unit sphere around the origin, from the point
+ * q and a curve on it: (q - C) x C', as points of the plane z = 1.
+ *
+ * Out   *out   P3 over the domain of crv, degree 2d - 1 / 2d - 2
+ * Err   as ix_pt_crv_bisector3d; IX_EDOMAIN all directions are in the plane z
+ *       = 0 */
+ix_status ix_sphere_bisector_point(ix_ctx *ctx, const ix_mv *crv,
+                                   const double q[3], const ix_op_opts *o,
+                                   ix_mv **out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

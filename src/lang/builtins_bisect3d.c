@@ -1,6 +1,8 @@
 /* builtins_bisect3d.c - bisectors in space (chapter 21 of spec/functions). */
+#include "geom/vec3.h"
 #include "iritx/ops_bisect.h"
 #include "iritx/ops_plane.h"
+#include "iritx/solve.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
@@ -162,6 +164,22 @@ static ix_status calphasector(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+/* Both sheets of the true locus. */
+static ix_status cratiosector(ix_call *c)
+{
+    const ix_mv **crv;
+    ix_crvs s;
+    int n;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    if (n != 2)
+        return IX_ARG_FAIL(c, 0, "list(curve, curve) is needed, got %d curves",
+                           n);
+    IX_TRY(ix_ratio_sector(c->ctx, crv[0], crv[1], ix__arg_num(c, 1),
+                           ix__arg_num(c, 2), NULL, &s));
+    return ret_surfaces(c, &s);
+}
+
 /* --- surfaces --------------------------------------------------------------
  */
 
@@ -174,6 +192,133 @@ static ix_status sbisector(ix_call *c)
     IX_TRY(ix__arg_pt3(c, 1, q));
     IX_TRY(ix_pt_srf_bisector(c->ctx, ix__arg_mv(c, 0), q, &o, NULL, &out));
     return ix__ret_mv(c, -1, out);
+}
+
+/* --- on the sphere ----------------------------------------------------------
+ */
+
+/* Points of the curve with directions of length 1, as a curve of order 2. */
+static ix_status on_sphere(ix_call *c, int n, double (*x)[3])
+{
+    ix_dir d = {.basis = IX_BSPLINE, .order = 2, .length = n};
+    double *knots, *pts;
+    ix_mv *m;
+
+    IX_SCRATCH(c->ctx, knots, n + 2);
+    IX_SCRATCH(c->ctx, pts, 3 * (size_t)n);
+    for (int i = 0; i < n; i++) {
+        (void)ix__unit3(x[i], x[i]);
+        knots[i + 1] = i;
+        for (int k = 0; k < 3; k++)
+            pts[k * n + i] = x[i][k];
+    }
+    knots[0] = 0;
+    knots[n + 1] = n - 1;
+    d.knots = knots;
+    IX_TRY(ix_mv_new(c->ctx, 1, &d, 3, false, pts, &m));
+    return ix__ret_mv(c, -1, m);
+}
+
+enum { SPHERE_SAMPLES = 200 };
+
+/* m, in the plane z = 1, on the sphere. */
+static ix_status sampled_on_sphere(ix_call *c, const ix_mv *m)
+{
+    double dom[2], w[4], (*x)[3];
+
+    IX_SCRATCH(c->ctx, x, SPHERE_SAMPLES + 1);
+    ix_mv_domain(m, 0, dom);
+    for (int i = 0; i <= SPHERE_SAMPLES; i++) {
+        double t = dom[0] + (dom[1] - dom[0]) * i / SPHERE_SAMPLES;
+
+        IX_TRY(ix_mv_eval(c->ctx, m, &t, w));
+        for (int k = 0; k < 3; k++)
+            x[i][k] = w[k + 1];
+    }
+    return on_sphere(c, SPHERE_SAMPLES + 1, x);
+}
+
+/* The directions t1 x t2 of the feet along a solution curve. */
+static ix_status sphere_line(ix_call *c, const ix_operand *x,
+                             const ix_solution_curve *k)
+{
+    double(*p)[3];
+
+    IX_SCRATCH(c->ctx, p, k->n);
+    for (int v = 0; v < k->n; v++) {
+        double t[2][3];
+
+        for (int i = 0; i < 2; i++)
+            IX_TRY(ix_tangent(c->ctx, x[i].mv, k->x[2 * v + i], true, t[i]));
+        ix__cross3(t[0], t[1], p[v]);
+        if (v > 0 && ix__dot3(p[v], p[v - 1]) < 0)
+            for (int j = 0; j < 3; j++)
+                p[v][j] = -p[v][j];
+    }
+    return on_sphere(c, k->n, p);
+}
+
+/* All lines of the bisector of two curves, without their antipodes. */
+static ix_status sphere_lines(ix_call *c, const ix_operand *x, const ix_mv *f,
+                              double tol)
+{
+    const ix_equation eq = {.f = f, .axis = 0, .rel = IX_EQUAL_ZERO};
+    const ix_curves_opts o = {.tol = tol < 0.1 ? tol : 0.1};
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+    ix_solution_curves s = {0};
+
+    if (st == IX_OK)
+        st = ix_solve_curves(c->ctx, 1, &eq, &o, &s);
+    for (int i = 0; st == IX_OK && i < s.ncurves; i++) {
+        st = sphere_line(c, x, &s.curve[i]);
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, c->result);
+        c->result = NULL;
+    }
+    ix_solution_curves_free(c->ctx, &s);
+    return ix__ret_list(c, list, st);
+}
+
+/* The determinant of C1 - C2, C1', C2' is the weight of the bisector surface.
+ */
+static ix_status two_sphere_curves(ix_call *c, const ix_operand *x, double tol)
+{
+    ix_op_opts o = ix__op_opts(c);
+    ix_mv *s, *f;
+    ix_status st;
+
+    IX_TRY(ix_cbisector3d(c->ctx, x[0].mv, x[1].mv, &o, NULL, &s));
+    if (tol < 0)
+        return ix__ret_mv(c, -1, s);
+    st = ix_mv_scalar(c->ctx, s, 0, &f);
+    ix_mv_unref(c->ctx, s);
+    IX_TRY(st);
+    if (tol == 0)
+        return ix__ret_mv(c, -1, f);
+    st = sphere_lines(c, x, f, tol);
+    ix_mv_unref(c->ctx, f);
+    return st;
+}
+
+static ix_status sprbisect(ix_call *c)
+{
+    double tol = ix__arg_num(c, 1);
+    ix_op_opts o = ix__op_opts(c);
+    ix_operand x[2];
+    ix_status st;
+    ix_mv *m;
+
+    IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2,
+                            "list(curve, curve) or list(point, curve)", x));
+    if (x[1].mv)
+        return two_sphere_curves(c, x, tol);
+    IX_TRY(ix_sphere_bisector_point(c->ctx, x[0].mv, x[1].pt, &o, &m));
+    if (!(tol > 0))
+        return ix__ret_mv(c, -1, m);
+    st = sampled_on_sphere(c, m);
+    ix_mv_unref(c->ctx, m);
+    return st;
 }
 
 /* --- poles -----------------------------------------------------------------
@@ -224,12 +369,28 @@ const ix_builtin ix__builtins_bisect3d[] = {
      "in the ratio alpha, 0 at the first curve, 1 at the second; of a curve "
      "and a point 0 at the curve. Two coordinates and a point: a curve.",
      PAIR "s = calphasector(list(a, b), 0.25);", calphasector, 0, 21},
+    {"CRATIOSECTOR", "curves:list alpha:num tol:num -> list",
+     "The points whose distances from two space curves have the ratio alpha : "
+     "1 "
+     "- alpha, as CALPHASECTOR has not: two sheets over both parameters, "
+     "interpolated to the tolerance.",
+     "a = cbezier(list(point(0,0,0), point(1,0,0.2))); b = cbezier(list(point("
+     "0,0,2), point(0.3,1,2))); l = cratiosector(list(a, b), 0.4, 1e-4);",
+     cratiosector, 0, 21},
     {"SBISECTOR", "s:surface p:pt3 -> surface",
      "Exact rational bisector of a surface and a point: on the normal at (u, "
      "v) the point as far from p as from the surface.",
      "s = sbezier(list(list(point(0,0,0), point(1,0,1)), list(point(0,1,1), "
      "point(1,1,0)))); b = sbisector(s, point(1, 1, 5));",
      sbisector, 0, 21},
+    {"SPRBISECT", "operands:list tol:num -> curve|surface|list",
+     "Bisector on the unit sphere. Of a point and a curve: in the plane z = 1 "
+     "(tol > 0: on the sphere, 200 pieces). Of two curves: 0 the field over "
+     "both parameters that vanishes at pairs of feet, > 0 its zeros as curves "
+     "on the sphere, < 0 the bisector surface whose weight it is.",
+     "c = arc(vector(1, 0, 0), vector(0, 0, 0), vector(0, 1, 0)); b = "
+     "sprbisect(list(point(0, 0, 1), c), 0);",
+     sprbisect, 0, 21},
     {"FFFINITE", "x:freeform depth:num reach:num -> list",
      "The parts of x that are proven finite (weights of one sign), within "
      "reach in every coordinate if that is not 0, by at most depth halvings; "

@@ -1,5 +1,6 @@
 /* t_belt.c - belts, circles in triangles, registration: closedness, errors and
  * memory; the laws are in tests/script/planar. */
+#include "base/ctx.h"
 #include "geom/belt.h"
 
 #include "base/ctx.h"
