@@ -48,6 +48,11 @@ void cmd_usage(FILE *f)
     }
 }
 
+void cmd_help(const command *c)
+{
+    (void)printf("usage: iritx %s %s\n%s\n", c->name, c->args, c->help);
+}
+
 int cmd_complain(const ix_ctx *ctx)
 {
     (void)fprintf(stderr, "iritx: error: %s\n", ix_ctx_message(ctx));

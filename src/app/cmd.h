@@ -18,6 +18,7 @@ typedef struct {
 
 const command *cmd_find(const char *name); /* NULL if there is none */
 void cmd_usage(FILE *f);
+void cmd_help(const command *c); /* iritx NAME --help */
 
 /* "iritx: error: " and the context's message; returns 1. */
 int cmd_complain(const ix_ctx *ctx);

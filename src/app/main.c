@@ -177,6 +177,10 @@ static void show_note(void *ud, const char *text)
 
 static int run_command(ix_ctx *ctx, const options *o)
 {
+    if (o->nargs == 1 && strcmp(o->args[0], "--help") == 0) {
+        cmd_help(o->command);
+        return 0;
+    }
     if (!o->interp.quiet)
         ix_ctx_set_note(ctx, show_note, NULL);
     return o->command->run(ctx, o->nargs, o->args);

@@ -16,7 +16,9 @@
 
 #include "io/scene.h"
 
-#define MARGIN 36.0 /* pixels around the content */
+#define MARGIN        36.0 /* pixels around the content */
+#define FLAT          0.02 /* pixels from its chord: a vertex that does not show */
+#define MOST_LEFT_OUT 32 /* vertices in a row: bounds the work for one */
 
 typedef struct {
     ix_ctx *ctx;
@@ -252,27 +254,59 @@ static void stroke(const picture *d, const ix_path *p, double pale)
     }
 }
 
-/* A path in stretches of equal paleness. */
+static const double *vertex(const picture *d, const ix_path *p, size_t i)
+{
+    return d->p[p->first + i % p->n];
+}
+
+/* Are all vertices between i and j within FLAT pixels of their chord? */
+static bool on_chord(const picture *d, const ix_path *p, size_t i, size_t j)
+{
+    const double *a = vertex(d, p, i), *b = vertex(d, p, j);
+    double ux = b[0] - a[0], uy = b[1] - a[1], len = hypot(ux, uy);
+
+    for (size_t k = i + 1; k < j; k++) {
+        const double *v = vertex(d, p, k);
+        double x = v[0] - a[0], y = v[1] - a[1], along = x * ux + y * uy;
+
+        if (!(fabs(x * uy - y * ux) <= FLAT * len) || !(along > 0) ||
+            along > len * len)
+            return false;
+    }
+    return true;
+}
+
+/* A path in stretches of equal paleness, without vertices that do not show:
+ * from is the last one drawn. */
 static void draw_line(const picture *d, const ix_path *p)
 {
-    size_t n = p->n + (p->closed && p->n > 2);
+    size_t n = p->n + (p->closed && p->n > 2), from = 0;
     double last = -1;
 
     for (size_t i = 0; i + 1 < n; i++) {
-        const double *a = d->p[p->first + i];
-        const double *b = d->p[p->first + (i + 1) % p->n];
-        double pale = paleness(d, a, b);
+        const double *a = vertex(d, p, i);
+        double pale = paleness(d, a, vertex(d, p, i + 1));
+        bool turn = pale < last || pale > last;
 
-        if (pale < last || pale > last) {
+        if (last >= 0 && (turn || i - from >= MOST_LEFT_OUT ||
+                          !on_chord(d, p, from, i + 1))) {
+            cairo_line_to(d->cr, a[0], a[1]);
+            from = i;
+        }
+        if (turn) {
             if (last >= 0)
                 stroke(d, p, last);
             cairo_move_to(d->cr, a[0], a[1]);
+            from = i;
             last = pale;
         }
-        cairo_line_to(d->cr, b[0], b[1]);
     }
-    if (last >= 0)
+    if (last >= 0) {
+        const double *b = vertex(d, p, n - 1);
+
+        cairo_line_to(d->cr, b[0], b[1]);
         stroke(d, p, last);
+    }
 }
 
 static void draw_net(const picture *d, const ix_path *p)

@@ -164,6 +164,11 @@ static void t_information(void **state)
     r = RUN("--help");
     assert_non_null(strstr(r.out, "--list-functions"));
     assert_int_equal(r.status, 0);
+    r = RUN("draw", "--help");
+    assert_int_equal(r.status, 0);
+    assert_non_null(strstr(r.out, "usage: iritx draw FILE... -o PICTURE"));
+    assert_non_null(strstr(r.out, "--shade"));
+    assert_int_equal(RUN("info", "--help").status, 0);
     r = RUN("--help", "sin");
     assert_non_null(strstr(r.out, "SIN x:num -> num"));
     r = RUN("--list-functions");
