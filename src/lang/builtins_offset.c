@@ -120,6 +120,36 @@ static ix_status merged(ix_call *c, const ix_crvs *p, ix_mv **out)
     return IX_OK;
 }
 
+/* The greatest distance between the end of a piece and the next one's start. */
+static ix_status widest_gap(ix_ctx *ctx, const ix_crvs *p, double *gap)
+{
+    *gap = 0;
+    for (int i = 1; i < p->n; i++) {
+        double a[IX_MAX_COORDS], b[IX_MAX_COORDS], dom[2];
+
+        ix_mv_domain(p->crv[i - 1], 0, dom);
+        IX_TRY(ix_mv_point(ctx, p->crv[i - 1], &dom[1], a));
+        ix_mv_domain(p->crv[i], 0, dom);
+        IX_TRY(ix_mv_point(ctx, p->crv[i], &dom[0], b));
+        *gap = fmax(*gap, hypot(a[0] - b[0], a[1] - b[1]));
+    }
+    return IX_OK;
+}
+
+/* Pieces that belong together meet at a crossing, found to rounding. */
+static ix_status remark_gap(ix_call *c, const ix_crvs *p, double tol)
+{
+    double gap;
+
+    IX_TRY(widest_gap(c->ctx, p, &gap));
+    if (!(gap <= tol))
+        ix__remark(c->in,
+                   "what is left lies in pieces up to %g apart, which straight "
+                   "lines join; TOFFSET gives the pieces",
+                   gap);
+    return IX_OK;
+}
+
 /* Loops of off nearer than the distance, less four times the tolerance, cut
  * out. */
 static ix_status without_loops(ix_call *c, const ix_offset_opts *o, ix_mv *off)
@@ -134,7 +164,9 @@ static ix_status without_loops(ix_call *c, const ix_offset_opts *o, ix_mv *off)
                            "trimming with a distance that varies; it must be "
                            "off");
     IX_TRY(ix_offset_trim(c->ctx, ix__arg_mv(c, 0), off, amount, &p));
-    st = p.n ? merged(c, &p, &out) : IX_OK;
+    st = remark_gap(c, &p, o->tol);
+    if (st == IX_OK && p.n)
+        st = merged(c, &p, &out);
     if (st == IX_OK && p.n)
         st = ix__ret_mv(c, 0, out);
     ix_crvs_free(c->ctx, &p);
