@@ -158,27 +158,57 @@ static ix_status far_enough(ix_ctx *ctx, const ix_mv *crv, const ix_mv *off,
     return IX_OK;
 }
 
+/* The next corner of off in (from, to), where it is continuous only; or to. */
+static double next_corner(const ix_mv *off, double from, double to)
+{
+    ix_dir d = ix_mv_dir(off, 0);
+    int nk = ix_mv_nknots(off, 0), run = 0;
+    double tie = 1e-9 * (to - from);
+
+    for (int i = 1; i < nk && d.knots[i] < to - tie; i++) {
+        run = d.knots[i] > d.knots[i - 1] ? 1 : run + 1;
+        if (run >= d.order - 1 && d.knots[i] > from + tie)
+            return d.knots[i];
+    }
+    return to;
+}
+
+/* The parts between two crossings that keep their distance: the bridge of a
+ * corner does not, but what it joins may. Adds to ends[2 * *n]. */
+static ix_status keep_between(ix_ctx *ctx, const ix_mv *crv, const ix_mv *off,
+                              const double ab[2], double amount, double *ends,
+                              int *n)
+{
+    bool before = false, far;
+
+    for (double from = ab[0], to; from < ab[1]; from = to) {
+        to = next_corner(off, from, ab[1]);
+        IX_TRY(far_enough(ctx, crv, off, from, to, amount, &far));
+        if (far && !before)
+            ends[2 * (*n)++] = from;
+        if (far)
+            ends[2 * *n - 1] = to;
+        before = far;
+    }
+    return IX_OK;
+}
+
 static ix_status keep_far(ix_ctx *ctx, const ix_mv *crv, const ix_mv *off,
                           double amount, ix_crvs *out)
 {
+    double *t, *ends;
     int n, kept = 0;
-    bool *far;
-    double *t;
 
     IX_TRY(cuts(ctx, off, &n, &t));
-    IX_SCRATCH(ctx, far, n);
-    for (int i = 0; i + 1 < n; i++) {
-        IX_TRY(far_enough(ctx, crv, off, t[i], t[i + 1], amount, &far[i]));
-        kept += far[i];
-    }
+    IX_SCRATCH(ctx, ends, 2 * ((size_t)n + (size_t)ix_mv_nknots(off, 0)));
+    for (int i = 0; i + 1 < n; i++)
+        IX_TRY(keep_between(ctx, crv, off, t + i, amount, ends, &kept));
     IX_TRY(ix__crvs_new(ctx, kept, out));
-    kept = 0;
-    for (int i = 0; i + 1 < n; i++) {
-        if (!far[i])
-            continue;
-        IX_TRY(ix_mv_region(ctx, off, 0, t[i], t[i + 1], &out->crv[kept]));
-        out->t[2 * kept] = t[i];
-        out->t[2 * kept++ + 1] = t[i + 1];
+    for (int i = 0; i < kept; i++) {
+        IX_TRY(ix_mv_region(ctx, off, 0, ends[2 * i], ends[2 * i + 1],
+                            &out->crv[i]));
+        out->t[2 * i] = ends[2 * i];
+        out->t[2 * i + 1] = ends[2 * i + 1];
     }
     return IX_OK;
 }

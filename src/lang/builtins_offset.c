@@ -103,50 +103,47 @@ static ix_status offset(ix_call *c)
 /* --- trimmed ones
  * ------------------------------------------------------------ */
 
-/* The pieces end to end as one curve. */
-static ix_status merged(ix_call *c, const ix_crvs *p, ix_mv **out)
+/* How far the end of a is from the start of b. */
+static ix_status gap_between(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                             double *gap)
+{
+    double p[IX_MAX_COORDS] = {0}, q[IX_MAX_COORDS] = {0}, dom[2];
+
+    ix_mv_domain(a, 0, dom);
+    IX_TRY(ix_mv_point(ctx, a, &dom[1], p));
+    ix_mv_domain(b, 0, dom);
+    IX_TRY(ix_mv_point(ctx, b, &dom[0], q));
+    *gap = 0;
+    for (int k = 0; k < ix_mv_ncoords(a); k++)
+        *gap = hypot(*gap, p[k] - q[k]);
+    return IX_OK;
+}
+
+/* The pieces end to end as one curve. Those that belong together meet at a
+ * crossing, found to rounding; straight lines bridge what is wider than tol. */
+static ix_status merged(ix_call *c, const ix_crvs *p, double tol, ix_mv **out)
 {
     ix_mv *sum = ix_mv_ref(p->crv[0]), *next;
+    double widest = 0, gap;
 
     for (int i = 1; i < p->n; i++) {
-        ix_status st = ix_mv_merge(c->ctx, sum, p->crv[i], 0, IX_JOIN_SHARED,
-                                   &next);
+        ix_status st = gap_between(c->ctx, sum, p->crv[i], &gap);
 
+        if (st == IX_OK)
+            st = ix_mv_merge(c->ctx, sum, p->crv[i], 0,
+                             gap <= tol ? IX_JOIN_SHARED : IX_JOIN_BRIDGE,
+                             &next);
         ix_mv_unref(c->ctx, sum);
         IX_TRY(st);
         sum = next;
+        widest = fmax(widest, gap);
     }
-    *out = sum;
-    return IX_OK;
-}
-
-/* The greatest distance between the end of a piece and the next one's start. */
-static ix_status widest_gap(ix_ctx *ctx, const ix_crvs *p, double *gap)
-{
-    *gap = 0;
-    for (int i = 1; i < p->n; i++) {
-        double a[IX_MAX_COORDS], b[IX_MAX_COORDS], dom[2];
-
-        ix_mv_domain(p->crv[i - 1], 0, dom);
-        IX_TRY(ix_mv_point(ctx, p->crv[i - 1], &dom[1], a));
-        ix_mv_domain(p->crv[i], 0, dom);
-        IX_TRY(ix_mv_point(ctx, p->crv[i], &dom[0], b));
-        *gap = fmax(*gap, hypot(a[0] - b[0], a[1] - b[1]));
-    }
-    return IX_OK;
-}
-
-/* Pieces that belong together meet at a crossing, found to rounding. */
-static ix_status remark_gap(ix_call *c, const ix_crvs *p, double tol)
-{
-    double gap;
-
-    IX_TRY(widest_gap(c->ctx, p, &gap));
-    if (!(gap <= tol))
+    if (!(widest <= tol))
         ix__remark(c->in,
                    "what is left lies in pieces up to %g apart, which straight "
                    "lines join; TOFFSET gives the pieces",
-                   gap);
+                   widest);
+    *out = sum;
     return IX_OK;
 }
 
@@ -164,9 +161,7 @@ static ix_status without_loops(ix_call *c, const ix_offset_opts *o, ix_mv *off)
                            "trimming with a distance that varies; it must be "
                            "off");
     IX_TRY(ix_offset_trim(c->ctx, ix__arg_mv(c, 0), off, amount, &p));
-    st = remark_gap(c, &p, o->tol);
-    if (st == IX_OK && p.n)
-        st = merged(c, &p, &out);
+    st = p.n ? merged(c, &p, o->tol, &out) : IX_OK;
     if (st == IX_OK && p.n)
         st = ix__ret_mv(c, 0, out);
     ix_crvs_free(c->ctx, &p);
