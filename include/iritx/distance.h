@@ -153,6 +153,32 @@ typedef struct {
 ix_status ix_crv_overlap(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                          double eps, ix_overlap *out) IX_MUST_CHECK;
 
+/* A point that two curves have in common. */
+typedef struct {
+    double t[2]; /* its parameters on both */
+    double gap;  /* distance of the curves there: within eps */
+    double sine; /* of the angle of the tangents; 0 where the curves touch */
+} ix_meeting;
+typedef struct {
+    int n;
+    ix_meeting *at; /* by increasing t[0], then t[1] */
+    double eps;     /* what counts as one point: the rounding of both curves */
+    bool complete;  /* false: so many pairs of pieces stay together that the
+                       curves run along each other (ix_crv_overlap) */
+} ix_meetings;
+
+/* The points that two curves of at most 3 coordinates share, within the
+ * rounding of their coordinates; ends and contacts count.
+ *
+ * Out   *out   freed with ix_meetings_free
+ * Err   IX_EARG not two such curves
+ * Num   two meetings on one pair of spans are told apart if their parameters
+ *       differ by more than 2^-14 of the spans; at a contact of order k the
+ *       parameters are known to the k-th root of eps */
+ix_status ix_crv_meetings(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                          ix_meetings *out) IX_MUST_CHECK;
+void ix_meetings_free(ix_ctx *ctx, ix_meetings *m);
+
 /* --- intersections in space ------------------------------------------------
  */
 

@@ -28,6 +28,8 @@ typedef struct {
     int max_cont; /* as in ix_sym_opts: 0 gives C0 joins */
 } ix_op_opts;
 
+#define IX_REPORT_MEETINGS 8
+
 /* What an operator built. */
 typedef struct {
     ix_degree_form form;
@@ -36,6 +38,13 @@ typedef struct {
     double residual;         /* of the defining equations, relative; NaN if
                                 nothing could be measured */
     const char *how;         /* what was measured and where; static text */
+
+    /* of a bisector or sector of two space curves: where they meet, so that
+     * the surface has no single point there */
+    int nmeetings;
+    double meetings[IX_REPORT_MEETINGS][2]; /* parameters on both, the first */
+    double overlap[2][2]; /* parameters, on both, of a part that they share;
+                             equal: none */
 } ix_report;
 
 /* The bisector surface of two space curves.
@@ -58,12 +67,16 @@ typedef struct {
  *                one sign suffices. Weights of both signs: the surface passes
  *                through infinity (poles)
  *       rep      residual: largest ||B - C1| - |B - C2|| relative to |B - C1|
- *                or the size of the curves, on a 5 x 5 grid, poles left out
+ *                or the size of the curves, on a 5 x 5 grid, poles left out;
+ *                where the curves meet (ix_crv_meetings) or run along each
+ *                other: weight and numerators are zero there
  * Err   IX_EARG     not a curve, or more than 3 coordinates
  *       IX_EDOMAIN  the weight vanishes identically within its error band:
  *                   coplanar curves, among them intersecting or parallel
- *                   lines (the message gives weight and band)
- *       IX_EDOMAIN  a curve is a point
+ *                   lines (the message gives weight and band), or a span of one
+ *                   is coplanar with a span of the other (the message names
+ *                   both)
+ *       IX_EDOMAIN  a curve is a point, or stands still on a span
  *       IX_EDOMAIN  both are the same curve, perhaps reversed
  *       IX_EDOMAIN  all weights of the input are zero
  *       IX_EUNABLE  an order above IX_MAX_ORDER

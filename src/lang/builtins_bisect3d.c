@@ -112,12 +112,71 @@ static ix_status where_normals_meet(ix_call *c, const ix_mv *a, const ix_mv *b)
     return ix__ret_mv(c, -1, m);
 }
 
-static ix_status cbisector3d(ix_call *c)
+static ix_obj *pair_object(ix_ctx *ctx, const double t[2])
+{
+    const ix_ctlpt p = {.ncoords = 2, .v = {t[0], t[1]}};
+
+    return ix__obj_ctlpt(ctx, &p);
+}
+
+/* n pairs of parameters as an attribute of the result. */
+static ix_status tell_pairs(ix_call *c, const char *name, int n,
+                            const double (*t)[2])
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < n; i++)
+        st = ix__list_add(c->ctx, list, pair_object(c->ctx, t[i]));
+    if (st == IX_OK)
+        st = ix__attr_set_obj(c->ctx, &c->result->attrs, name, list);
+    ix__obj_unref(c->ctx, list);
+    return st;
+}
+
+/* Where both curves have a point in common the surface has none: attributes
+ * Meetings, of pairs of parameters, or Overlap, from one pair to another. */
+static ix_status tell_meetings(ix_call *c, const ix_report *r)
+{
+    const double ends[2][2] = {{r->overlap[0][0], r->overlap[1][0]},
+                               {r->overlap[0][1], r->overlap[1][1]}};
+    int n = r->nmeetings;
+
+    if (ends[0][0] != ends[1][0]) {
+        ix__remark(c->in,
+                   "the curves run along each other, from %g to %g on the "
+                   "first and from %g to %g on the second: the surface has no "
+                   "points there (attribute Overlap)",
+                   r->overlap[0][0], r->overlap[0][1], r->overlap[1][0],
+                   r->overlap[1][1]);
+        return tell_pairs(c, "Overlap", 2, ends);
+    }
+    if (n == 0)
+        return IX_OK;
+    ix__remark(c->in,
+               "the curves meet at the parameters (%g, %g)%s: the surface has "
+               "no single point there (attribute Meetings)",
+               r->meetings[0][0], r->meetings[0][1], n > 1 ? ", ..." : "");
+    return tell_pairs(c, "Meetings",
+                      n < IX_REPORT_MEETINGS ? n : IX_REPORT_MEETINGS,
+                      r->meetings);
+}
+
+static ix_status two_curves(ix_call *c, const ix_operand *x, double alpha)
 {
     ix_op_opts o = ix__op_opts(c);
+    ix_report rep;
+    ix_mv *out;
+
+    IX_TRY(ix_calphasector3d(c->ctx, x[0].mv, x[1].mv, alpha, &o, &rep, &out));
+    IX_TRY(ix__ret_mv(c, -1, out));
+    return tell_meetings(c, &rep);
+}
+
+static ix_status cbisector3d(ix_call *c)
+{
     ix_ruling r = {.kind = IX_RULING_PLANES};
     ix_operand x[2];
-    ix_mv *out;
 
     IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2,
                             "list(curve, curve) or list(curve, point)", x));
@@ -131,8 +190,7 @@ static ix_status cbisector3d(ix_call *c)
                            "ruled");
     if (ix__arg_num(c, 1) == 4)
         return where_normals_meet(c, x[0].mv, x[1].mv);
-    IX_TRY(ix_cbisector3d(c->ctx, x[0].mv, x[1].mv, &o, NULL, &out));
-    return ix__ret_mv(c, -1, out);
+    return two_curves(c, x, 0.5);
 }
 
 /* A planar curve and a point: a curve. */
@@ -150,9 +208,7 @@ static ix_status calphasector(ix_call *c)
 {
     static const ix_ruling r = {.kind = IX_RULING_PLANES};
     double alpha = ix__arg_num(c, 1);
-    ix_op_opts o = ix__op_opts(c);
     ix_operand x[2];
-    ix_mv *out;
 
     IX_TRY(ix__arg_operands(c, 0, IX_OBJ_CURVE, 2,
                             "list(curve, curve) or list(curve, point)", x));
@@ -160,8 +216,7 @@ static ix_status calphasector(ix_call *c)
         return planar_sector(c, x, alpha);
     if (!x[1].mv)
         return ruled_bisector(c, x, alpha, &r);
-    IX_TRY(ix_calphasector3d(c->ctx, x[0].mv, x[1].mv, alpha, &o, NULL, &out));
-    return ix__ret_mv(c, -1, out);
+    return two_curves(c, x, alpha);
 }
 
 /* Both sheets of the true locus. */

@@ -21,11 +21,12 @@
 #include "bern/bern.h"
 #include "geom/vec3.h"
 #include "iritx/ops_bisect.h"
+#include "ops/crv_pair.h"
 #include "ops/lift.h"
 #include "ops/report.h"
 #include "sym/outer.h"
 
-enum { NTERMS = 24, NMORE = 30, GRID = 5 };
+enum { NTERMS = 24, NMORE = 30, WEIGHT_TERMS = 6, GRID = 5 };
 
 /* --- the six products ----------------------------------------------------- */
 
@@ -73,7 +74,7 @@ static int add_sector(int row, int i, double f, ix_outer_term *t)
 /* Row 0 is the weight 2e, rows 1 .. 3 are -a; minor j has the sign (-1)^j. */
 static int make_terms(double alpha, ix_outer_term *t)
 {
-    int n = 6;
+    int n = WEIGHT_TERMS;
 
     expand(0, 4, 2.0, t);
     for (int i = 0; i < 3; i++) {
@@ -85,165 +86,13 @@ static int make_terms(double alpha, ix_outer_term *t)
     return n;
 }
 
-/* --- degenerate input ----------------------------------------------------- */
+/* --- the surface ---------------------------------------------------------- */
 
 typedef struct {
     double alpha;
     ix_degree_form form;
     int max_cont;
 } task;
-
-/* What the computation knows of both curves. */
-typedef struct {
-    const ix_mv *const *crv;
-    ix_frame frame;
-    ix_form f[2], minors[2];
-    double band; /* relative error of a coefficient of the result */
-} pair;
-
-/* Relative rounding of a sum of products in the degrees at hand, and what the
- * rounding of the input makes of its three factors in each curve. */
-static double error_band(const pair *p)
-{
-    int d = p->minors[0].dirs[0].degree + p->minors[1].dirs[0].degree;
-
-    return 8.0 * DBL_EPSILON * (d + 2) + 8.0 * p->frame.noise;
-}
-
-/* A curve is a point if its tangent (minors x1 y1 z1) vanishes. */
-static ix_status check_point(ix_ctx *ctx, const pair *p, int i)
-{
-    int sign, first = ix__lift_minor(0, 3, &sign);
-    ix_form tangent = ix__form_rows(&p->minors[i], first, 3);
-    double big;
-
-    IX_TRY(ix__form_bound(ctx, &tangent, &big));
-    if (!(big > p->band))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "curve %d is a point: its tangent is at most %.3g of "
-                       "the size of both curves, error band %.3g",
-                       i + 1, big, p->band);
-    return IX_OK;
-}
-
-/* Distance of c2 from c1 at one parameter u in [0, 1] of both domains;
- * negative at a pole. */
-static ix_status gap_at(ix_ctx *ctx, const ix_mv *const *c, double u,
-                        bool reversed, double *gap)
-{
-    double dom[2], x[2][3];
-
-    *gap = -1.0;
-    for (int i = 0; i < 2; i++) {
-        double v = i && reversed ? 1.0 - u : u, t;
-        ix_status st;
-
-        ix_mv_domain(c[i], 0, dom);
-        t = dom[0] + v * (dom[1] - dom[0]);
-        st = ix_mv_point(ctx, c[i], &t, x[i]);
-        if (st == IX_EDOMAIN)
-            return IX_OK;
-        IX_TRY(st);
-    }
-    *gap = 0.0;
-    for (int k = 0; k < 3; k++)
-        *gap = fmax(*gap, fabs(x[0][k] - x[1][k]));
-    return IX_OK;
-}
-
-/* Curves that agree at as many parameters as their difference has degrees on
- * all spans together are the same. */
-static ix_status check_same(ix_ctx *ctx, const ix_mv *const *c, const pair *p,
-                            bool reversed)
-{
-    int n = 0, seen = 0;
-    double tol = ldexp(p->band, p->frame.exp), gap, big = 0.0;
-
-    for (int i = 0; i < 2; i++)
-        n += p->f[i].dirs[0].nspans;
-    n *= p->f[0].dirs[0].degree + p->f[1].dirs[0].degree + 1;
-    for (int i = 0; i <= n; i++) {
-        IX_TRY(gap_at(ctx, c, (double)i / n, reversed, &gap));
-        if (gap > tol)
-            return IX_OK;
-        seen += gap >= 0.0;
-        big = fmax(big, gap);
-    }
-    if (2 * seen < n)
-        return IX_OK;
-    return IX_FAIL(ctx, IX_EDOMAIN,
-                   "both curves are the same%s: they differ by at most %.3g, "
-                   "error band %.3g",
-                   reversed ? ", one reversed" : "", big, tol);
-}
-
-/* The projected control points of both curves one after the other; k is
- * advanced, false at the end. Those of weight 0 are directions: left out. */
-static bool next_point(const ix_mv *const *c, size_t *k, double out[3])
-{
-    for (; *k < c[0]->npts + c[1]->npts; ++*k) {
-        const ix_mv *m = *k < c[0]->npts ? c[0] : c[1];
-        size_t i = *k < c[0]->npts ? *k : *k - c[0]->npts;
-        double w = m->rational ? ix_mv_weights(m)[i] : 1.0;
-
-        for (int j = 0; j < 3; j++)
-            out[j] = ix_mv_coord(m, j)[i] / w;
-        if (w != 0.0) {
-            ++*k;
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Farthest distance of the control points from the line through two of them,
- * the first and the one farthest from it; the line holds both curves if that is
- * within rounding. */
-static double off_line(const ix_mv *const *c)
-{
-    double p0[3] = {0, 0, 0}, p[3], u[3] = {0, 0, 0}, v[3], worst = 0.0;
-    size_t k = 0, first;
-
-    (void)next_point(c, &k, p0);
-    first = k;
-    while (next_point(c, &k, p)) {
-        ix__sub3(p, p0, v);
-        if (ix__len3(v) > ix__len3(u))
-            ix__sub3(p, p0, u);
-    }
-    (void)ix__unit3(u, u);
-    for (k = first; next_point(c, &k, p);) {
-        double x[3];
-
-        ix__sub3(p, p0, v);
-        ix__cross3(u, v, x);
-        worst = fmax(worst, ix__len3(x));
-    }
-    return worst;
-}
-
-static ix_status check_weight(ix_ctx *ctx, const pair *p, size_t n,
-                              const double *w, double size)
-{
-    double big = ix__bern_largest(n, w), off;
-
-    if (big > p->band * size)
-        return IX_OK;
-    off = off_line(p->crv);
-    if (off <= ldexp(p->band, p->frame.exp))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the curves lie on one straight line, within %.3g: "
-                       "their bisector consists of planes at right angles to "
-                       "it",
-                       off);
-    return IX_FAIL(ctx, IX_EDOMAIN,
-                   "the curves lie in one plane: the weight is at most %.3g of "
-                   "its terms, error band %.3g; their bisector is a cylinder "
-                   "over that in the plane",
-                   size > 0.0 ? big / size : 0.0, p->band);
-}
-
-/* --- the surface ---------------------------------------------------------- */
 
 /* Positive sum of weights, largest weight in [1/2, 1), the user's frame. */
 static void finish(const ix_frame *frame, size_t n, double *pts)
@@ -329,7 +178,7 @@ static ix_status load_factors(ix_ctx *ctx, const ix_form *f, bool rational,
 }
 
 static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
-                           pair *p)
+                           ix_crv_pair *p)
 {
     bool both = c[0]->rational || c[1]->rational;
 
@@ -346,17 +195,19 @@ static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
         if (k->form == IX_FORM_IRIT) /* B-spline whatever the input */
             p->minors[i].bezier = 0;
     }
-    p->band = error_band(p);
+    ix__crv_pair_band(p);
     return IX_OK;
 }
 
 /* The points of s, whose directions are those of the sum. */
-static ix_status fill(ix_ctx *ctx, const pair *p, const ix_outer *sum, ix_mv *s)
+static ix_status fill(ix_ctx *ctx, const ix_crv_pair *p, const ix_outer *sum,
+                      ix_mv *s)
 {
+    ix_outer weight = {sum->u, sum->v, 1, WEIGHT_TERMS, sum->terms};
     double size[4];
 
     IX_TRY(ix__outer_points(ctx, sum, s->dirs, s->pts, size));
-    IX_TRY(check_weight(ctx, p, s->npts, s->pts, size[0]));
+    IX_TRY(ix__crv_pair_weight(ctx, p, &weight, s->npts, s->pts, size[0]));
     finish(&p->frame, s->npts, s->pts);
     return ix__check_finite(ctx, 4 * s->npts, s->pts);
 }
@@ -369,14 +220,11 @@ static ix_status build(ix_ctx *ctx, const ix_mv *const *c, const task *k,
     ix_outer sum = {.nrows = 4, .terms = terms};
     ix_dir dirs[2];
     ix_status st;
-    pair p;
+    ix_crv_pair p;
     ix_mv *s;
 
     IX_TRY(load_pair(ctx, c, k, &p));
-    for (int i = 0; i < 2; i++)
-        IX_TRY(check_point(ctx, &p, i));
-    for (int i = 0; i < 2; i++)
-        IX_TRY(check_same(ctx, c, &p, i == 1));
+    IX_TRY(ix__crv_pair_check(ctx, &p));
     sum.nterms = make_terms(k->alpha, terms);
     sum.u = &p.minors[0];
     sum.v = &p.minors[1];
@@ -462,7 +310,7 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
             IX_TRY(measure_at(ctx, c, s, k->alpha, t, ldexp(1.0, frame.exp),
                               &rep->residual));
         }
-    return IX_OK;
+    return ix__crv_pair_meetings(ctx, c, rep);
 }
 
 /* --- entry ---------------------------------------------------------------- */

@@ -272,6 +272,106 @@ static void skew_lines(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Lines through (0, 0, h) and (0, 0, -h) at half the angle a to both sides of
+ * x, feet at the distances s and t: the point of both normal planes has
+ *   x = (s + t) / (2 cos a), y = (s - t) / (2 sin a), z = (t^2 - s^2) / (4 h),
+ * the hyperbolic paraboloid h z = -cos a sin a x y. Turned and moved at random
+ * (rounding over the sine of the angle: 1e-12). */
+static void skew_lines_at_an_angle(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(38);
+
+    (void)state;
+    for (int i = 0; i < 20; i++) {
+        double a = ix_rng_range(&r, 0.2, 1.3), h = ix_rng_range(&r, 0.1, 2);
+        double ends[2] = {ix_rng_range(&r, -3, -1), ix_rng_range(&r, 1, 3)};
+        double p[6], q[6], mat[16], shift[3] = {1, -2, 3}, st[2], x[3];
+        ix_mv *m[2], *n[2], *s;
+
+        for (int k = 0; k < 2; k++) {
+            p[k] = q[k] = ends[k] * cos(a);
+            p[2 + k] = ends[k] * sin(a);
+            q[2 + k] = -p[2 + k];
+            p[4 + k] = h;
+            q[4 + k] = -h;
+        }
+        motion(i * 0.4 + 0.5, shift, mat);
+        m[0] = make_curve(ctx, 2, 2, NULL, false, 3, p);
+        m[1] = make_curve(ctx, 2, 2, NULL, false, 3, q);
+        for (int k = 0; k < 2; k++)
+            ASSERT_OK(ctx, ix_mv_transform(ctx, m[k], mat, &n[k]));
+        s = bisector(ctx, n[0], n[1]);
+        assert_true(degree_of(s, 0) == 2 && degree_of(s, 1) == 2);
+        for (int j = 0; j < 9; j++) {
+            double t[2] = {j % 3 / 2.0, j / 3 / 2.0}, want[3], to[3];
+
+            for (int k = 0; k < 2; k++)
+                st[k] = ends[0] + t[k] * (ends[1] - ends[0]);
+            want[0] = (st[0] + st[1]) / (2 * cos(a));
+            want[1] = (st[0] - st[1]) / (2 * sin(a));
+            want[2] = (st[1] * st[1] - st[0] * st[0]) / (4 * h);
+            ASSERT_OK(ctx, ix_mv_point(ctx, s, t, x));
+            for (int k = 0; k < 3; k++) {
+                to[k] = mat[12 + k];
+                for (int l = 0; l < 3; l++)
+                    to[k] += want[l] * mat[4 * l + k];
+            }
+            if (!(ix__dist3(x, to) <= 1e-12 * (1 + ix__len3(x))))
+                fail_msg("case %d: off by %g", i, ix__dist3(x, to));
+        }
+        for (int k = 0; k < 2; k++) {
+            ix_mv_unref(ctx, m[k]);
+            ix_mv_unref(ctx, n[k]);
+        }
+        ix_mv_unref(ctx, s);
+    }
+    ix_ctx_free(ctx);
+}
+
+/* Elber and Kim's equations (8), (9): the unit circle C and its axis (0, 0, t)
+ * have the bisector ((1 + t^2) / 2 C(s), t), of degree (2, 2). The minimal form
+ * has (6, 2) and the common factor of its position, (1 + s^2)^2, which the
+ * reduction divides out: for the paper's half of the circle and for the whole
+ * one in four arcs. */
+static void circle_and_axis(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const double line[6] = {0, 0, 0, 0, -2, 3}, zero[3] = {0, 0, 0};
+    /* 1 - s^2, 2 s, 1 + s^2 over [-1, 1] */
+    const double half[12] = {2, 0, 2, 0, 2, 0, -2, 0, 2, 0, 0, 0};
+    ix_mv *axis = make_curve(ctx, 2, 2, NULL, false, 3, line), *c[2];
+
+    (void)state;
+    c[0] = make_curve(ctx, 3, 3, NULL, true, 3, half);
+    ASSERT_OK(ctx, ix_circle(ctx, zero, 1, &c[1]));
+    for (int i = 0; i < 2; i++) {
+        ix_mv *s = bisector(ctx, c[i], axis), *low;
+        double dom[2];
+
+        assert_true(degree_of(s, 0) == 6 && degree_of(s, 1) == 2);
+        ASSERT_OK(ctx, ix_sym_reduce(ctx, s, 0.0, NULL, &low));
+        assert_true(degree_of(low, 0) == 2 && degree_of(low, 1) == 2);
+        ix_mv_domain(c[i], 0, dom);
+        for (int j = 0; j < 25; j++) {
+            double u[2] = {dom[0] + (dom[1] - dom[0]) * (j % 5 + 0.5) / 5,
+                           j / 5 / 4.0},
+                   t = -2 + 5 * u[1], x[3], p[3];
+
+            ASSERT_OK(ctx, ix_mv_point(ctx, c[i], u, p));
+            ASSERT_OK(ctx, ix_mv_point(ctx, low, u, x));
+            ASSERT_CLOSE(x[0], p[0] * (1 + t * t) / 2, 1e-13);
+            ASSERT_CLOSE(x[1], p[1] * (1 + t * t) / 2, 1e-13);
+            ASSERT_CLOSE(x[2], t, 1e-13);
+        }
+        ix_mv_unref(ctx, s);
+        ix_mv_unref(ctx, low);
+        ix_mv_unref(ctx, c[i]);
+    }
+    ix_mv_unref(ctx, axis);
+    ix_ctx_free(ctx);
+}
+
 /* Points of the reference case bisect-curves-3d-bspline (15 digits). */
 static void reference_points(void **state)
 {
@@ -501,6 +601,93 @@ static void degenerate_input(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Spans in one plane with a span of the other curve, and a span on which a
+ * curve stands still, are named; the other parts have their surface. */
+static void degenerate_spans(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const double kv[] = {0, 0, 1, 2, 2};
+    /* the first leg is parallel to the line */
+    const double bent[] = {0, 1, 1, 0, 0, 1, 0, 0, 1};
+    const double still[] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+    const double line[] = {-1, 2, 0, 0, 1, 1};
+    ix_mv *a = make_curve(ctx, 2, 3, kv, false, 3, bent), *part, *s;
+    ix_mv *b = make_curve(ctx, 2, 2, NULL, false, 3, line);
+
+    (void)state;
+    expect(ctx, a, b, IX_EDOMAIN,
+           "curve 1 over 0 .. 1 and curve 2 over 0 .. 1 lie in one plane");
+    expect(ctx, b, a, IX_EDOMAIN, "and curve 2 over 0 .. 1 lie in one plane");
+    ASSERT_OK(ctx, ix_mv_region(ctx, a, 0, 1, 2, &part));
+    s = bisector(ctx, part, b);
+    ix_mv_unref(ctx, s);
+    ix_mv_unref(ctx, part);
+    ix_mv_unref(ctx, a);
+    a = make_curve(ctx, 2, 3, kv, false, 3, still);
+    expect(ctx, a, b, IX_EDOMAIN, "curve 1 stands still over 0 .. 1");
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_ctx_free(ctx);
+}
+
+/* Where the curves meet weight and numerators vanish, and the report has the
+ * parameters; a part that both share is reported by its ends. */
+static void meetings(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(39);
+    ix_mv *a, *b, *c, *s;
+    ix_report rep;
+
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        double t[2] = {0.3, i % 3 ? 0.7 : 0}, p[3], q[3], w[4], top = 0;
+        double mat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+        a = rand_curve(ctx, &r, 3, i & 1, 0, NULL, 1);
+        c = rand_curve(ctx, &r, 2, i & 2, 0, NULL, 1);
+        ASSERT_OK(ctx, ix_mv_point(ctx, a, t, p));
+        ASSERT_OK(ctx, ix_mv_point(ctx, c, t + 1, q));
+        for (int k = 0; k < 3; k++)
+            mat[12 + k] = p[k] - q[k];
+        ASSERT_OK(ctx, ix_mv_transform(ctx, c, mat, &b));
+        ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, NULL, &rep, &s));
+        assert_int_equal(rep.nmeetings, 1);
+        ASSERT_CLOSE(rep.meetings[0][0], t[0], 1e-9);
+        ASSERT_CLOSE(rep.meetings[0][1], t[1], 1e-9);
+        assert_true(rep.overlap[0][0] == rep.overlap[0][1]);
+        ASSERT_OK(ctx, ix_mv_eval(ctx, s, t, w));
+        for (size_t k = 0; k < ix_mv_npts(s); k++)
+            top = fmax(top, fabs(ix_mv_weights(s)[k]));
+        for (int k = 0; k < 4; k++)
+            assert_true(fabs(w[k]) <= 1e-13 * top * (1 + ix__len3(p)));
+        ix_mv_unref(ctx, a);
+        ix_mv_unref(ctx, b);
+        ix_mv_unref(ctx, c);
+        ix_mv_unref(ctx, s);
+    }
+    c = rand_curve(ctx, &r, 3, true, 0, NULL, 1);
+    ASSERT_OK(ctx, ix_mv_region(ctx, c, 0, 0, 0.6, &a));
+    ASSERT_OK(ctx, ix_mv_region(ctx, c, 0, 0.3, 1, &b));
+    ASSERT_OK(ctx, ix_cbisector3d(ctx, a, b, NULL, &rep, &s));
+    assert_int_equal(rep.nmeetings, 0);
+    for (int i = 0; i < 2; i++) {
+        double dom[2][2], x[3], y[3];
+
+        ix_mv_domain(a, 0, dom[0]);
+        ix_mv_domain(b, 0, dom[1]);
+        ASSERT_CLOSE(rep.overlap[i][1 - i], dom[i][1 - i], 1e-9);
+        ASSERT_OK(ctx, ix_mv_point(ctx, a, &rep.overlap[0][i], x));
+        ASSERT_OK(ctx, ix_mv_point(ctx, b, &rep.overlap[1][i], y));
+        assert_true(ix__dist3(x, y) <= 1e-12);
+    }
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_mv_unref(ctx, c);
+    ix_mv_unref(ctx, s);
+    ix_ctx_free(ctx);
+}
+
 /* --- memory --------------------------------------------------------------- */
 
 typedef struct {
@@ -552,11 +739,15 @@ int main(void)
         cmocka_unit_test(follows_motions_and_parameters),
         cmocka_unit_test(badly_scaled),
         cmocka_unit_test(skew_lines),
+        cmocka_unit_test(skew_lines_at_an_angle),
+        cmocka_unit_test(circle_and_axis),
         cmocka_unit_test(reference_points),
         cmocka_unit_test(degree_forms),
         cmocka_unit_test(alpha_sectors),
         cmocka_unit_test(canal_surfaces),
         cmocka_unit_test(degenerate_input),
+        cmocka_unit_test(degenerate_spans),
+        cmocka_unit_test(meetings),
         cmocka_unit_test(memory_may_fail),
     };
 
