@@ -101,6 +101,9 @@ void ix__bern_conv_sparse(int na, const double *a, const int *off, int nb,
  * infinite or NaN. */
 double ix__bern_largest(size_t n, const double *x);
 bool ix__bern_finite(size_t n, const double *x);
+/* Plus or minus the power of two by which weights get a sum that is not
+ * negative and a largest size in [1/2, 1). */
+double ix__bern_weight_factor(size_t n, const double *w);
 
 /* out[i] = sum over j < k of f[j] x[j][i], 0 <= i < n. */
 void ix__bern_combine(size_t n, int k, const double *f, const double *const *x,

@@ -54,3 +54,14 @@ IX__CLONES bool ix__bern_finite(size_t n, const double *x)
         s += 0.0 * x[i];
     return a[0] + a[1] + a[2] + a[3] + s == 0.0;
 }
+
+double ix__bern_weight_factor(size_t n, const double *w)
+{
+    double sum = 0.0;
+    int e;
+
+    for (size_t i = 0; i < n; i++)
+        sum += w[i];
+    (void)frexp(ix__bern_largest(n, w), &e);
+    return ldexp(sum < 0.0 ? -1.0 : 1.0, -e);
+}

@@ -7,12 +7,19 @@
 #include "iritx/geom_srf.h"
 
 /* R, and <N,N> in *nn. */
-static ix__vec mirrored(ix_pool *q, const ix_mv *n, const double v[3],
+static ix__vec mirrored(ix_pool *q, const ix_mv *srf, const double v[3],
                         const ix_mv **nn)
 {
-    ix__vec f = ix__vec_of(q, n), r = {{NULL}, NULL};
-    const ix_mv *along = ix__vec_dot_const(q, f, v);
+    const ix_mv *along,
+        *n = ix__pool_made(q,
+                           ix_srf_normal_field(q->ctx, srf, ix__pool_room(q)));
+    ix__vec f, r = {{NULL}, NULL};
 
+    *nn = NULL;
+    if (!n)
+        return r;
+    f = ix__vec_of(q, n);
+    along = ix__vec_dot_const(q, f, v);
     f.w = NULL;
     *nn = ix__vec_dot(q, f, f);
     if (along)
@@ -39,17 +46,14 @@ ix_status ix__reflected_line(ix_ctx *ctx, const ix_mv *srf,
                              const double dir[3], ix_mv **out)
 {
     ix_pool q = {.ctx = ctx};
-    const ix_mv *nn, *sum = NULL, *n;
+    const ix_mv *nn, *sum = NULL;
     double v[3], d[3], plane[4];
     ix__vec r;
 
     *out = NULL;
     IX_TRY(ix__direction(ctx, "the direction of view", view, v));
     IX_TRY(ix__direction(ctx, "the line's direction", dir, d));
-    n = ix__pool_made(&q, ix_srf_normal_field(ctx, srf, ix__pool_room(&q)));
-    if (!n)
-        return q.st;
-    r = mirrored(&q, n, v, &nn);
+    r = mirrored(&q, srf, v, &nn);
     /* <R, d x (p - S)>: row k of d x . as an affine function of S */
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -72,17 +76,14 @@ ix_status ix__reflected_circle(ix_ctx *ctx, const ix_mv *srf,
                                double angle, ix_mv **out)
 {
     ix_pool q = {.ctx = ctx};
-    const ix_mv *nn, *f, *n;
+    const ix_mv *nn, *f;
     double v[3], a[3], co = cos(angle);
     ix__vec r;
 
     *out = NULL;
     IX_TRY(ix__direction(ctx, "the direction of view", view, v));
     IX_TRY(ix__direction(ctx, "the circles' axis", axis, a));
-    n = ix__pool_made(&q, ix_srf_normal_field(ctx, srf, ix__pool_room(&q)));
-    if (!n)
-        return q.st;
-    r = mirrored(&q, n, v, &nn);
+    r = mirrored(&q, srf, v, &nn);
     f = ix__vec_dot_const(&q, r, a);
     if (nn && (co < 0 || co > 0))
         f = ix__diff0(&q, f, ix__pool_scale(&q, nn, co));

@@ -49,19 +49,28 @@ static ix_status holds_everywhere(ix_ctx *ctx, int i)
                    i + 1);
 }
 
-ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
-                         const double (*dom)[2], const ix_solve_opts *o,
-                         ix_solutions *out)
+/* f[i] = 0 each; a condition without a function holds everywhere. */
+static ix_status equations(const ix_pool *q, int neq, const ix_mv *const *f,
+                           ix_equation *eq)
 {
-    ix_equation eq[3 * IX_MAX_UNKNOWNS];
     ix_status st = q->st;
 
-    *out = (ix_solutions){.n = 0};
     for (int i = 0; st == IX_OK && i < neq; i++) {
         if (!f[i])
             st = holds_everywhere(q->ctx, i);
         eq[i] = (ix_equation){.f = f[i], .rel = IX_EQUAL_ZERO};
     }
+    return st;
+}
+
+ix_status ix__unit_solve(ix_pool *q, int neq, const ix_mv *const *f,
+                         const double (*dom)[2], const ix_solve_opts *o,
+                         ix_solutions *out)
+{
+    ix_equation eq[3 * IX_MAX_UNKNOWNS];
+    ix_status st = equations(q, neq, f, eq);
+
+    *out = (ix_solutions){.n = 0};
     if (st == IX_OK)
         st = ix_solve(q->ctx, neq, eq, o, out);
     ix__pool_free(q);
@@ -89,14 +98,9 @@ ix_status ix__unit_curves(ix_pool *q, int neq, const ix_mv *const *f,
                           ix_solution_curves *out)
 {
     ix_equation eq[3 * IX_MAX_UNKNOWNS];
-    ix_status st = q->st;
+    ix_status st = equations(q, neq, f, eq);
 
     *out = (ix_solution_curves){.unknowns = 0};
-    for (int i = 0; st == IX_OK && i < neq; i++) {
-        if (!f[i])
-            st = holds_everywhere(q->ctx, i);
-        eq[i] = (ix_equation){.f = f[i], .rel = IX_EQUAL_ZERO};
-    }
     if (st == IX_OK)
         st = ix_solve_curves(q->ctx, neq, eq, o, out);
     ix__pool_free(q);

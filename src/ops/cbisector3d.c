@@ -26,7 +26,7 @@
 #include "ops/report.h"
 #include "sym/outer.h"
 
-enum { NTERMS = 24, NMORE = 30, WEIGHT_TERMS = 6, GRID = 5 };
+enum { NTERMS = 24, NMORE = 30, WEIGHT_TERMS = 6 };
 
 /* --- the six products ----------------------------------------------------- */
 
@@ -97,13 +97,8 @@ typedef struct {
 /* Positive sum of weights, largest weight in [1/2, 1), the user's frame. */
 static void finish(const ix_frame *frame, size_t n, double *pts)
 {
-    double sum = 0.0, f;
-    int e;
+    double f = ix__bern_weight_factor(n, pts);
 
-    for (size_t i = 0; i < n; i++)
-        sum += pts[i];
-    (void)frexp(ix__bern_largest(n, pts), &e);
-    f = ldexp(sum < 0.0 ? -1.0 : 1.0, -e);
     for (size_t i = 0; i < n; i++)
         pts[i] *= f;
     ix__frame_back(frame, f, n, pts, pts + n);
@@ -290,7 +285,6 @@ static ix_status measure_at(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
 static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
                          const task *k, ix_report *rep)
 {
-    double a[2], b[2];
     ix_frame frame;
 
     ix__report_init(rep, k->form, s);
@@ -300,16 +294,13 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
                    : "distance from the dividing plane on a 5 x 5 grid, "
                      "relative to distance or size";
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
-    ix_mv_domain(s, 0, a);
-    ix_mv_domain(s, 1, b);
-    for (int i = 0; i < GRID; i++)
-        for (int j = 0; j < GRID; j++) {
-            double t[2] = {a[0] + (a[1] - a[0]) * (i + 0.5) / GRID,
-                           b[0] + (b[1] - b[0]) * (j + 0.5) / GRID};
+    for (int i = 0; i < IX__PLACES; i++) {
+        double t[2];
 
-            IX_TRY(measure_at(ctx, c, s, k->alpha, t, ldexp(1.0, frame.exp),
-                              &rep->residual));
-        }
+        ix__report_place(s, i, t);
+        IX_TRY(measure_at(ctx, c, s, k->alpha, t, ldexp(1.0, frame.exp),
+                          &rep->residual));
+    }
     return ix__crv_pair_meetings(ctx, c, rep);
 }
 

@@ -70,13 +70,8 @@ static ix_status target(ix_ctx *ctx, ix_form *f, ix_join_rule rule, ix_dir *dir)
 /* Positive sum of the first n (the weights), the largest in [1/2, 1). */
 static void normalise(size_t n, size_t total, double *pts)
 {
-    double sum = 0.0, f;
-    int e;
+    double f = ix__bern_weight_factor(n, pts);
 
-    for (size_t i = 0; i < n; i++)
-        sum += pts[i];
-    (void)frexp(ix__bern_largest(n, pts), &e);
-    f = ldexp(sum < 0.0 ? -1.0 : 1.0, -e);
     for (size_t i = 0; i < total; i++)
         pts[i] *= f;
 }

@@ -122,3 +122,13 @@ void ix__pt_crv_residual(const ix_probe *at, const double b[3],
     *worst = fmax(*worst,
                   fabs(ix__dot3(m, r)) / (len * fmax(ix__len3(r), len)));
 }
+
+ix_status ix__pt_crv_from_point(ix_ctx *ctx, const ix_pt_crv *c,
+                                const ix_form *n, const ix_form *w, ix_form *x)
+{
+    ix_form q;
+
+    IX_TRY(ix__form_constant(ctx, n, n->nrows, c->q, &q));
+    IX_TRY(ix__form_mul(ctx, &q, w, &q));
+    return ix__form_add(ctx, n, 1, &q, x);
+}

@@ -33,6 +33,11 @@ ix_status ix__pt_crv_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
 ix_status ix__pt_crv_check(ix_ctx *ctx, const ix_pt_crv *c,
                            const ix_form *cross) IX_MUST_CHECK;
 
+/* *x = n + w Q with the rows of n: over w, the point Q + n / w. */
+ix_status ix__pt_crv_from_point(ix_ctx *ctx, const ix_pt_crv *c,
+                                const ix_form *n, const ix_form *w,
+                                ix_form *x) IX_MUST_CHECK;
+
 /* N with D x r = w N, of degree 2d - 2: the direction of the lines of centres
  * in space. Err as ix__pt_crv_check. */
 ix_status ix__pt_crv_ruling(ix_ctx *ctx, const ix_pt_crv *c,

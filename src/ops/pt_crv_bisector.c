@@ -14,17 +14,6 @@ typedef struct {
     ix_form x, w;
 } fraction;
 
-/* q w + n over w. */
-static ix_status from_point(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *n,
-                            fraction *out)
-{
-    ix_form q;
-
-    IX_TRY(ix__form_constant(ctx, n, 2, c->q, &q));
-    IX_TRY(ix__form_mul(ctx, &q, &out->w, &q));
-    return ix__form_add(ctx, n, 1, &q, &out->x);
-}
-
 /* With a tangent of any degree: Q + (rr turned D - r.D turned r) / (w det). */
 static ix_status solved(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *d,
                         fraction *out)
@@ -38,7 +27,7 @@ static ix_status solved(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *d,
     IX_TRY(ix__form_turned(ctx, &rd, &c->r, &b));
     IX_TRY(ix__form_add(ctx, &a, -1, &b, &a));
     IX_TRY(ix__form_mul(ctx, &det, &c->c.w, &out->w));
-    return from_point(ctx, c, &a, out);
+    return ix__pt_crv_from_point(ctx, c, &a, &out->w, &out->x);
 }
 
 static ix_status published(ix_ctx *ctx, const ix_pt_crv *c, fraction *out)
@@ -77,7 +66,7 @@ static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, bool irit,
     else
         IX_TRY(ix__ratio_over(ctx, &b, &det, &b));
     out->w = b.w;
-    return from_point(ctx, c, &b.x, out);
+    return ix__pt_crv_from_point(ctx, c, &b.x, &out->w, &out->x);
 }
 
 static ix_status build(ix_ctx *ctx, const ix_mv *crv, const double q[2],

@@ -31,17 +31,6 @@ typedef struct {
     int exp;
 } ruled;
 
-/* x = numerators of b plus w Q. */
-static ix_status from_point(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *b,
-                            ruled *out)
-{
-    ix_form q;
-
-    IX_TRY(ix__form_constant(ctx, b, 3, c->q, &q));
-    IX_TRY(ix__form_mul(ctx, &q, &out->w, &q));
-    return ix__form_add(ctx, b, 1, &q, &out->x);
-}
-
 /* s (a x b) + t (c x a): what both approaches solve their planes by. */
 static ix_status two_crosses(ix_ctx *ctx, const ix_form *s, const ix_form *a,
                              const ix_form *b, const ix_form *t,
@@ -92,7 +81,7 @@ static ix_status by_planes(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *d,
     IX_TRY(check_planes(ctx, &out->w, we));
     out->r = *we;
     out->exp = -c->c.frame.exp;
-    return from_point(ctx, c, &b, out);
+    return ix__pt_crv_from_point(ctx, c, &b, &out->w, &out->x);
 }
 
 static ix_status minimal_planes(ix_ctx *ctx, const ix_pt_crv *c,
@@ -135,7 +124,7 @@ static ix_status minimal_directrix(ix_ctx *ctx, const ix_pt_crv *c,
     IX_TRY(ix__form_mul(ctx, &nn, &c->c.w, &out->w));
     IX_TRY(ix__form_mul(ctx, &out->w, &c->c.w, &out->w));
     out->exp = c->c.frame.exp;
-    return from_point(ctx, c, &b, out);
+    return ix__pt_crv_from_point(ctx, c, &b, &out->w, &out->x);
 }
 
 /* The sum of two functions in the published manner: each of one degree, over
@@ -165,7 +154,7 @@ static ix_status published_directrix(ix_ctx *ctx, const ix_pt_crv *c,
     IX_TRY(two_crosses(ctx, &rd, &c->r, &e, &c->rr, &p.d1, &b));
     IX_TRY(ix__form_dot(ctx, &e, &e, &base.w));
     IX_TRY(ix__form_mul(ctx, &base.w, &c->c.w, &base.w));
-    IX_TRY(from_point(ctx, c, &b, &base));
+    IX_TRY(ix__pt_crv_from_point(ctx, c, &b, &base.w, &base.x));
     ruling.x = e;
     ix__form_times(&ruling.x, -1.0);
     out->exp = c->c.frame.exp + 2 * c->c.wexp;
@@ -205,7 +194,7 @@ static ix_status naive(ix_ctx *ctx, const ix_pt_crv *c, ruled *out)
     IX_TRY(ix__frac_weights(ctx, &b, &f.e, &b));
     IX_TRY(ix__ratio_over(ctx, &b, &det, &b));
     base.w = b.w;
-    IX_TRY(from_point(ctx, c, &b.x, &base));
+    IX_TRY(ix__pt_crv_from_point(ctx, c, &b.x, &base.w, &base.x));
     out->exp = c->c.frame.exp;
     return sum(ctx, &base, &f.e, out);
 }
@@ -223,7 +212,7 @@ static ix_status irit(ix_ctx *ctx, const ix_pt_crv *c, ruled *out)
     IX_TRY(two_crosses(ctx, &f.yd.x, &f.yw, &ew, &c->rr, &f.dw, &b));
     IX_TRY(ix__form_cross(ctx, &f.yw, &ew, &cross));
     IX_TRY(ix__form_dot(ctx, &f.dw, &cross, &base.w));
-    IX_TRY(from_point(ctx, c, &b, &base));
+    IX_TRY(ix__pt_crv_from_point(ctx, c, &b, &base.w, &base.x));
     out->exp = c->c.frame.exp;
     return sum(ctx, &base, &f.e, out);
 }

@@ -95,8 +95,6 @@ static ix_status build(ix_ctx *ctx, const ix_mv *srf, const double q[3],
 /* --- the report ------------------------------------------------------------
  */
 
-enum { GRID = 5 };
-
 /* Distances from Q and from the foot, and the sine between B - S and n. */
 static ix_status residual_at(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
                              const double q[3], const double t[2],
@@ -125,18 +123,12 @@ static ix_status residual_at(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
 static ix_status measure(ix_ctx *ctx, const ix_mv *srf, const ix_mv *b,
                          const double q[3], ix_report *rep)
 {
-    double dom[2][2];
-
     rep->residual = 0.0;
     rep->how = "equal distances along the normal on a 5 x 5 grid, relative";
-    for (int i = 0; i < 2; i++)
-        ix_mv_domain(srf, i, dom[i]);
-    for (int i = 0; i < GRID * GRID; i++) {
-        int col = i % GRID, row = i / GRID;
-        double t[2] = {dom[0][0] + (dom[0][1] - dom[0][0]) * (col + 0.5) / GRID,
-                       dom[1][0] +
-                           (dom[1][1] - dom[1][0]) * (row + 0.5) / GRID};
+    for (int i = 0; i < IX__PLACES; i++) {
+        double t[2];
 
+        ix__report_place(srf, i, t);
         IX_TRY(residual_at(ctx, srf, b, q, t, &rep->residual));
     }
     return IX_OK;

@@ -30,6 +30,17 @@ ix_status ix__form_of_opts(ix_ctx *ctx, const ix_op_opts *o,
     return IX_OK;
 }
 
+void ix__report_place(const ix_mv *srf, int i, double t[2])
+{
+    const int at[2] = {i % 5, i / 5};
+    double dom[2];
+
+    for (int k = 0; k < 2; k++) {
+        ix_mv_domain(srf, k, dom);
+        t[k] = dom[0] + (dom[1] - dom[0]) * (at[k] + 0.5) / 5;
+    }
+}
+
 /* The weight and derivatives at t; false at a pole. */
 static ix_status probe_at(ix_ctx *ctx, const ix_mv *crv, double t,
                           ix_probe *out, bool *ok)

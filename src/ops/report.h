@@ -10,6 +10,10 @@ void ix__report_init(ix_report *rep, ix_degree_form form, const ix_mv *result);
 ix_status ix__form_of_opts(ix_ctx *ctx, const ix_op_opts *o,
                            ix_degree_form *out) IX_MUST_CHECK;
 
+/* The i-th parameters of a 5 x 5 grid inside the domain of a surface. */
+enum { IX__PLACES = 25 };
+void ix__report_place(const ix_mv *srf, int i, double t[2]);
+
 /* Calls fn at nine parameters inside the domain of direction 0 of crv, with
  * derivatives 0 .. 3 in three coordinates and the weight; parameters at poles
  * are left out. fn adds to *worst. */

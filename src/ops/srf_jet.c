@@ -3,9 +3,8 @@
 #include <math.h>
 
 #include "geom/vec3.h"
+#include "ops/report.h"
 #include "ops/surface.h"
-
-#define GRID 5 /* points a direction at which results are measured */
 
 /* Homogeneous derivatives (i, j): weight, then three coordinates. */
 static ix_status hom_partial(ix_ctx *ctx, const ix_mv *s, const double t[2],
@@ -105,7 +104,6 @@ ix_status ix__srf_measure(ix_ctx *ctx, const ix_mv *s, const ix_mv *out,
                           ix_report *rep)
 {
     comparison c = {s, out, fn, which, 0.0, 0.0};
-    double dom[2][2];
     ix_frame frame;
 
     if (!rep)
@@ -118,16 +116,12 @@ ix_status ix__srf_measure(ix_ctx *ctx, const ix_mv *s, const ix_mv *out,
                "to the largest value or the size of the surface"};
     IX_TRY(ix__frame_of(ctx, 1, &s, &frame));
     c.size = ldexp(1.0, out->ncoords == 1 ? -2 * frame.exp : frame.exp);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++)
         rep->orders[i] = ix_mv_order(out, i);
-        ix_mv_domain(s, i, dom[i]);
-    }
-    for (int i = 0; i < GRID * GRID; i++) {
-        int col = i % GRID, row = i / GRID;
-        double t[2] = {dom[0][0] + (dom[0][1] - dom[0][0]) * (col + 0.5) / GRID,
-                       dom[1][0] +
-                           (dom[1][1] - dom[1][0]) * (row + 0.5) / GRID};
+    for (int i = 0; i < IX__PLACES; i++) {
+        double t[2];
 
+        ix__report_place(s, i, t);
         IX_TRY(compare_at(ctx, &c, t));
     }
     rep->residual = c.gap / fmax(c.size, c.gap);

@@ -265,15 +265,7 @@ ix_status ix__surface_gauss_map(ix_ctx *ctx, const ix_surface *s,
 /* Weights: largest in [1/2, 1), the sum positive. */
 static void normalise(ix_form *all)
 {
-    double sum = 0.0, big;
-    int e = 0;
-
-    for (size_t i = 0; i < all->n; i++)
-        sum += all->c[i];
-    big = ix__bern_largest(all->n, all->c);
-    if (big > 0.0)
-        (void)frexp(big, &e);
-    ix__form_times(all, ldexp(sum < 0.0 ? -1.0 : 1.0, -e));
+    ix__form_times(all, ix__bern_weight_factor(all->n, all->c));
     all->exp = 0;
 }
 

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 
 enum { ROUNDS = 60 };
@@ -93,47 +93,11 @@ static inline void gt_same(const double *p, const double *q, int n, double tol)
         ASSERT_CLOSE(p[i], q[i], tol);
 }
 
-/* A constructor of one result from up to four inputs, which the test's own
- * make function provides. */
-typedef struct gt_fault gt_fault;
-struct gt_fault {
-    ix_mv *in[4], *out;
-    void (*make)(ix_ctx *ctx, gt_fault *f);
-    ix_status (*build)(ix_ctx *ctx, const gt_fault *f, ix_mv **out);
-};
-
-static inline void gt_fault_setup(ix_ctx *ctx, void *state)
-{
-    gt_fault *f = state;
-
-    memset(f->in, 0, sizeof f->in);
-    f->out = NULL;
-    f->make(ctx, f);
-}
-
-static inline ix_status gt_fault_build(ix_ctx *ctx, void *state)
-{
-    gt_fault *f = state;
-    ix_status st = f->build(ctx, f, &f->out);
-
-    assert_true((st == IX_OK) == (f->out != NULL));
-    return st;
-}
-
-static inline void gt_fault_end(ix_ctx *ctx, void *state)
-{
-    gt_fault *f = state;
-
-    for (int i = 0; i < 4; i++)
-        ix_mv_unref(ctx, f->in[i]);
-    ix_mv_unref(ctx, f->out);
-}
+typedef ix_build_case gt_fault;
 
 static inline void gt_fault_all(gt_fault *f)
 {
-    const ix_fault_case c = {gt_fault_setup, gt_fault_build, gt_fault_end, f};
-
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(f);
 }
 
 #endif

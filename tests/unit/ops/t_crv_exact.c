@@ -298,36 +298,34 @@ static num fresh(void)
     return &pool[used++];
 }
 
-static num add(num a, num b)
+typedef void (*operation)(fmpq_t, const fmpq_t, const fmpq_t);
+
+static num apply(operation op, num a, num b)
 {
     num r = fresh();
 
-    fmpq_add(r, a, b);
+    op(r, a, b);
     return r;
+}
+
+static num add(num a, num b)
+{
+    return apply(fmpq_add, a, b);
 }
 
 static num sub(num a, num b)
 {
-    num r = fresh();
-
-    fmpq_sub(r, a, b);
-    return r;
+    return apply(fmpq_sub, a, b);
 }
 
 static num mul(num a, num b)
 {
-    num r = fresh();
-
-    fmpq_mul(r, a, b);
-    return r;
+    return apply(fmpq_mul, a, b);
 }
 
 static num over(num a, num b)
 {
-    num r = fresh();
-
-    fmpq_div(r, a, b);
-    return r;
+    return apply(fmpq_div, a, b);
 }
 
 static num integer(int k)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "crv_test.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/ops_bisect.h"
 
@@ -246,45 +246,27 @@ static void refused(void **state)
 
 /* --- memory --------------------------------------------------------------- */
 
-typedef struct {
-    ix_mv *c, *out;
-} operands;
-
-static void make(ix_ctx *own, void *state)
+static void make(ix_ctx *own, ix_build_case *f)
 {
-    operands *o = state;
     ix_rng r = ix_rng_new(36);
     crv_kind k = {2, 2, true, 2, 0, 0};
 
-    o->c = rand_crv(own, &r, &k);
-    o->out = NULL;
+    f->in[0] = rand_crv(own, &r, &k);
 }
 
-static ix_status call(ix_ctx *own, void *state)
+static ix_status build(ix_ctx *own, const ix_build_case *f, ix_mv **out)
 {
-    operands *o = state;
     const double q[2] = {0.5, 2};
     ix_op_opts opts = {IX_FORM_NAIVE, INT_MAX};
     ix_report rep;
 
-    return ix_pt_crv_bisector(own, o->c, q, 0.5, &opts, &rep, &o->out);
-}
-
-static void release(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    ix_mv_unref(own, o->c);
-    ix_mv_unref(own, o->out);
+    return ix_pt_crv_bisector(own, f->in[0], q, 0.5, &opts, &rep, out);
 }
 
 static void memory_may_fail(void **state)
 {
-    operands o;
-    ix_fault_case c = {make, call, release, &o};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -5,7 +5,7 @@
 
 #include "crv_test.h"
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/ops_bisect.h"
 
@@ -360,50 +360,30 @@ static void refused(void **state)
 
 /* --- memory --------------------------------------------------------------- */
 
-typedef struct {
-    ix_mv *c, *out;
-    ix_crvs pieces;
-} operands;
-
-static void make(ix_ctx *own, void *state)
+static void make(ix_ctx *own, ix_build_case *f)
 {
-    operands *o = state;
     ix_rng r = ix_rng_new(36);
     crv_kind k = {2, 3, true, 2, 0, 0};
 
-    *o = (operands){.c = rand_crv(own, &r, &k)};
+    f->in[0] = rand_crv(own, &r, &k);
 }
 
-static ix_status call(ix_ctx *own, void *state)
+static ix_status build(ix_ctx *own, const ix_build_case *f, ix_mv **out)
 {
-    operands *o = state;
     const double q[3] = {0.5, 2, 1};
     ix_report rep;
-    ix_status st = ix_pt_crv_bisector3d(own, o->c, q, 0.5, NULL, NULL, &rep,
-                                        &o->out);
+    ix_crvs pieces;
 
-    if (st != IX_OK)
-        return st;
-    return ix_pt_crv_bisector3d_pieces(own, o->c, q, 0.5, NULL, NULL,
-                                       &o->pieces);
-}
-
-static void release(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    ix_mv_unref(own, o->c);
-    ix_mv_unref(own, o->out);
-    ix_crvs_free(own, &o->pieces);
+    IX_TRY(ix_pt_crv_bisector3d_pieces(own, f->in[0], q, 0.5, NULL, NULL,
+                                       &pieces));
+    ix_crvs_free(own, &pieces);
+    return ix_pt_crv_bisector3d(own, f->in[0], q, 0.5, NULL, NULL, &rep, out);
 }
 
 static void memory_may_fail(void **state)
 {
-    operands o;
-    ix_fault_case c = {make, call, release, &o};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

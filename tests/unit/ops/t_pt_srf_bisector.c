@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/geom_srf.h"
 #include "iritx/ops_bisect.h"
@@ -173,13 +173,8 @@ static void refused(void **state)
     ix_mv_unref(ctx, c);
 }
 
-typedef struct {
-    ix_mv *s, *out;
-} operands;
-
-static void make(ix_ctx *own, void *state)
+static void make(ix_ctx *own, ix_build_case *f)
 {
-    operands *o = state;
     ix_rng r = ix_rng_new(36);
     ix_rand_opts ro = {.ndirs = 2,
                        .ncoords = 3,
@@ -188,34 +183,21 @@ static void make(ix_ctx *own, void *state)
                        .min_order = 2,
                        .max_order = 3};
 
-    o->s = ix_mv_randtest(own, &r, &ro);
-    o->out = NULL;
+    f->in[0] = ix_mv_randtest(own, &r, &ro);
 }
 
-static ix_status call(ix_ctx *own, void *state)
+static ix_status build(ix_ctx *own, const ix_build_case *f, ix_mv **out)
 {
-    operands *o = state;
     const double q[3] = {0.5, 2, 1};
     ix_report rep;
 
-    return ix_pt_srf_bisector(own, o->s, q, NULL, &rep, &o->out);
-}
-
-static void release(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    ix_mv_unref(own, o->s);
-    ix_mv_unref(own, o->out);
+    return ix_pt_srf_bisector(own, f->in[0], q, NULL, &rep, out);
 }
 
 static void memory_may_fail(void **state)
 {
-    operands o;
-    ix_fault_case c = {make, call, release, &o};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

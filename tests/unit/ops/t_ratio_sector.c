@@ -4,7 +4,7 @@
 
 #include "crv_test.h"
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/ops_bisect.h"
 
@@ -88,40 +88,26 @@ static void refused(void **state)
     ix_mv_unref(ctx, far);
 }
 
-typedef struct {
-    ix_mv *a, *b;
+static void make(ix_ctx *own, ix_build_case *f)
+{
+    f->in[0] = segment(own, 0, 0, 0);
+    f->in[1] = segment(own, 0.1, 1, 1);
+}
+
+static ix_status build(ix_ctx *own, const ix_build_case *f, ix_mv **out)
+{
     ix_crvs s;
-} operands;
 
-static void make(ix_ctx *own, void *state)
-{
-    *(operands *)state = (operands){.a = segment(own, 0, 0, 0),
-                                    .b = segment(own, 0.1, 1, 1)};
-}
-
-static ix_status call(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    return ix_ratio_sector(own, o->a, o->b, 0.4, 1.0, NULL, &o->s);
-}
-
-static void release(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    ix_mv_unref(own, o->a);
-    ix_mv_unref(own, o->b);
-    ix_crvs_free(own, &o->s);
+    IX_TRY(ix_ratio_sector(own, f->in[0], f->in[1], 0.4, 1.0, NULL, &s));
+    *out = ix_mv_ref(s.crv[1]);
+    ix_crvs_free(own, &s);
+    return IX_OK;
 }
 
 static void memory_may_fail(void **state)
 {
-    operands o;
-    ix_fault_case c = {make, call, release, &o};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -4,7 +4,7 @@
 
 #include "crv_test.h"
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/ops_bisect.h"
 
@@ -46,42 +46,25 @@ static void refused(void **state)
     ix_mv_unref(ctx, c);
 }
 
-typedef struct {
-    ix_mv *a, *out;
-} operands;
-
-static void make(ix_ctx *own, void *state)
+static void make(ix_ctx *own, ix_build_case *f)
 {
-    operands *o = state;
     ix_rng r = ix_rng_new(36);
     crv_kind k = {2, 3, true, 2, 0, 0};
 
-    *o = (operands){.a = rand_crv(own, &r, &k)};
+    f->in[0] = rand_crv(own, &r, &k);
 }
 
-static ix_status call(ix_ctx *own, void *state)
+static ix_status build(ix_ctx *own, const ix_build_case *f, ix_mv **out)
 {
     const double q[3] = {0, 0.3, 1};
-    operands *o = state;
 
-    return ix_sphere_bisector_point(own, o->a, q, NULL, &o->out);
-}
-
-static void release(ix_ctx *own, void *state)
-{
-    operands *o = state;
-
-    ix_mv_unref(own, o->a);
-    ix_mv_unref(own, o->out);
+    return ix_sphere_bisector_point(own, f->in[0], q, NULL, out);
 }
 
 static void memory_may_fail(void **state)
 {
-    operands o;
-    ix_fault_case c = {make, call, release, &o};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)
