@@ -21,7 +21,7 @@ static ix_status nothing(const ix_host *h, ix_call *c)
 static ix_status t_echo(const ix_host *h, ix_call *c)
 {
     ix_ctx *ctx = h->ctx(c);
-    ix_obj *list = h->list(ctx);
+    ix_obj *list;
     double p[3], *nums;
     ix_status st;
     int i = 0, n = 0;
@@ -29,6 +29,7 @@ static ix_status t_echo(const ix_host *h, ix_call *c)
     IX_TRY(h->arg_int(c, 0, 1, 9, &i));
     IX_TRY(h->arg_pt3(c, 2, p));
     IX_TRY(h->arg_nums(c, 3, &n, &nums));
+    list = h->list(ctx);
     st = h->list_add_num(ctx, list, h->argc(c));
     if (st == IX_OK)
         st = h->list_add_num(ctx, list, i);
