@@ -1,5 +1,6 @@
 /* patches.h - equations decomposed into Bernstein patches; what the system and
- * the curve solver both start from. */
+ * the curve solver both start from, and systems whose patches come one by one.
+ */
 #ifndef SOLVE_PATCHES_H
 #define SOLVE_PATCHES_H
 
@@ -27,5 +28,23 @@ void ix__patches_take(const ix__patches *p, const ix__shape *h, int nall,
                       const int *idx, ix__box *b);
 /* Counts idx[n] on; false after the last patch. */
 bool ix__patches_next(const ix__patches *p, int n, int *idx);
+
+/* A system of which only some patches are looked at, the caller knowing that
+ * the others hold no solution, and which is never there as a whole. */
+typedef struct {
+    int n, neq, nall; /* unknowns, equalities, relations */
+    ix__shape shape;  /* of every tensor; each equation of size about 1 */
+    double edge[IX_MAX_UNKNOWNS]; /* of the whole domain */
+    void *self;
+    /* Puts the next patch, its place and its errors into b; false: no more. */
+    bool (*next)(void *self, ix__box *b);
+    /* The patch that holds x. */
+    void (*at)(void *self, const double *x, ix__box *b);
+} ix__patch_source;
+
+/* As ix_solve. */
+ix_status ix__solve_patches(ix_ctx *ctx, const ix__patch_source *src,
+                            const ix_solve_opts *o,
+                            ix_solutions *out) IX_MUST_CHECK;
 
 #endif

@@ -8,28 +8,22 @@
 #include "mv/mv.h"
 #include "solve/patches.h"
 #include "solve/system_impl.h"
+#include "sym/form.h"
 
-static void residuals(const ix__patches *p, const ix__system *s, ix_solution *r,
-                      ix__box *b, double *work)
+static void residual(const ix__patch_source *src, ix_solution *r, ix__box *b,
+                     double *work)
 {
-    int idx[IX_MAX_UNKNOWNS];
     double x[IX_MAX_UNKNOWNS];
 
-    for (int j = 0; j < s->n; j++) {
-        const double *br = p->sp[j].breaks;
-
-        idx[j] = 0;
-        while (idx[j] + 1 < p->sp[j].nspans && r->x[j] >= br[idx[j] + 1])
-            idx[j]++;
-        x[j] = (r->x[j] - br[idx[j]]) / (br[idx[j] + 1] - br[idx[j]]);
-    }
-    ix__patches_take(p, &s->t.shape, s->t.nall, idx, b);
+    src->at(src->self, r->x, b);
+    for (int j = 0; j < src->n; j++)
+        x[j] = (r->x[j] - b->lo[j]) / (b->hi[j] - b->lo[j]);
     r->residual = 0;
-    for (int i = 0; i < s->t.neq; i++) {
-        const double *c = b->c + (size_t)i * s->t.shape.size;
+    for (int i = 0; i < src->neq; i++) {
+        const double *c = b->c + (size_t)i * src->shape.size;
 
         r->residual = fmax(r->residual,
-                           fabs(ix__tensor_value(&s->t.shape, c, x, work)));
+                           fabs(ix__tensor_value(&src->shape, c, x, work)));
     }
 }
 
@@ -55,43 +49,94 @@ static ix_status give(ix_ctx *ctx, const ix__found *f, const ix__system *s,
     return IX_OK;
 }
 
-static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
-                   const ix_solve_opts *o, const ix__patches *p, ix__system *s)
+static void set_up(ix_ctx *ctx, const ix__patch_source *src,
+                   const ix_solve_opts *o, ix__system *s)
 {
     ix__task *t = &s->t;
 
-    *s = (ix__system){.n = eq[0].f->ndirs};
-    *t = (ix__task){.ctx = ctx, .nall = neq, .keep = o && o->keep};
+    *s = (ix__system){.n = src->n};
+    *t = (ix__task){.ctx = ctx,
+                    .shape = src->shape,
+                    .neq = src->neq,
+                    .nall = src->nall,
+                    .keep = o && o->keep};
     t->cell = o && o->cell > 0 ? o->cell : 1e-10;
     t->max_boxes = o && o->max_boxes ? o->max_boxes : 10000000;
-    for (int i = 0; i < neq; i++)
-        t->neq += eq[i].rel == IX_EQUAL_ZERO;
-    ix__patches_shape(p, &t->shape, t->edge);
+    memcpy(t->edge, src->edge, sizeof t->edge);
+}
+
+static ix_status solve_patches(ix_ctx *ctx, const ix__patch_source *src,
+                               const ix_solve_opts *o, ix_solutions *out)
+{
+    ix__found found = {.ctx = ctx};
+    double *work;
+    ix__system s;
+    ix__box b;
+
+    set_up(ctx, src, o, &s);
+    IX_SCRATCH(ctx, b.c, (size_t)src->nall * src->shape.size);
+    IX_SCRATCH(ctx, work, 2 * src->shape.size);
+    /* after a budget or an interruption this reports whole patches */
+    while (src->next(src->self, &b))
+        IX_TRY(ix__system_search(&s, &b, &found));
+    IX_TRY(ix__found_merge(&found, s.n, s.t.edge));
+    for (int i = 0; i < found.n; i++)
+        residual(src, &found.sol[i], &b, work);
+    return give(ctx, &found, &s, out);
+}
+
+ix_status ix__solve_patches(ix_ctx *ctx, const ix__patch_source *src,
+                            const ix_solve_opts *o, ix_solutions *out)
+{
+    *out = (ix_solutions){.n = 0};
+    IX_RETURN_SCOPED(ctx, solve_patches(ctx, src, o, out));
+}
+
+/* --- equations that are there as a whole
+ * ---------------------------------------------------------------------- */
+
+typedef struct {
+    ix__patches p;
+    const ix__patch_source *src;
+    int idx[IX_MAX_UNKNOWNS];
+    bool done;
+} whole;
+
+static bool next_patch(void *self, ix__box *b)
+{
+    whole *w = self;
+
+    if (w->done)
+        return false;
+    ix__patches_take(&w->p, &w->src->shape, w->src->nall, w->idx, b);
+    w->done = !ix__patches_next(&w->p, w->src->n, w->idx);
+    return true;
+}
+
+static void patch_at(void *self, const double *x, ix__box *b)
+{
+    whole *w = self;
+    int idx[IX_MAX_UNKNOWNS];
+
+    for (int j = 0; j < w->src->n; j++)
+        idx[j] = ix__spans_find(&w->p.sp[j], x[j]);
+    ix__patches_take(&w->p, &w->src->shape, w->src->nall, idx, b);
 }
 
 static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                        const ix_solve_opts *o, ix_solutions *out)
 {
-    int idx[IX_MAX_UNKNOWNS] = {0};
-    ix__found found = {.ctx = ctx};
-    double *work;
-    ix__patches p;
-    ix__system s;
-    ix__box b;
+    ix__patch_source src = {.nall = neq, .next = next_patch, .at = patch_at};
+    whole w = {.src = &src};
 
     IX_TRY(ix__patches_check(ctx, neq, eq, 0));
-    IX_TRY(ix__patches_make(ctx, neq, eq, &p));
-    set_up(ctx, neq, eq, o, &p, &s);
-    IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
-    IX_SCRATCH(ctx, work, 2 * s.t.shape.size);
-    do { /* after a budget or an interruption this reports whole patches */
-        ix__patches_take(&p, &s.t.shape, neq, idx, &b);
-        IX_TRY(ix__system_search(&s, &b, &found));
-    } while (ix__patches_next(&p, s.n, idx));
-    IX_TRY(ix__found_merge(&found, s.n, s.t.edge));
-    for (int i = 0; i < found.n; i++)
-        residuals(&p, &s, &found.sol[i], &b, work);
-    return give(ctx, &found, &s, out);
+    IX_TRY(ix__patches_make(ctx, neq, eq, &w.p));
+    src.self = &w;
+    src.n = eq[0].f->ndirs;
+    for (int i = 0; i < neq; i++)
+        src.neq += eq[i].rel == IX_EQUAL_ZERO;
+    ix__patches_shape(&w.p, &src.shape, src.edge);
+    return solve_patches(ctx, &src, o, out);
 }
 
 ix_status ix_solve(ix_ctx *ctx, int neq, const ix_equation *eq,
