@@ -46,7 +46,7 @@ static void row(work *w, const char *task, void (*fn)(void *), double units,
 
     snprintf(name, sizeof name, "%s, n = %d", task, w->n);
     ix_bench(name, fn, w, units, unit);
-    printf("=%s\t%.9g\n", name, w->answer);
+    printf("=%s\t%.6g\n", name, w->answer);
     fflush(stdout);
 }
 
@@ -95,8 +95,8 @@ static void near_curves(work *w)
 
         task_curve(w->n, p, p + n, p + 2 * n);
         w->a = freeform(w->ctx, 1, w->n, 3, p);
-        row(w, "point/curve distance, cubic", near_curve,
-            w->n - TASK_DEGREE, "span");
+        row(w, "point/curve distance, cubic", near_curve, w->n - TASK_DEGREE,
+            "span");
         ix_mv_unref(w->ctx, w->a);
         free(p);
     }
@@ -156,8 +156,7 @@ static void fits(work *w)
 
         w->pts = numbers(3 * n);
         task_cloud(w->n, w->pts, w->pts + n, w->pts + 2 * n);
-        row(w, "least squares, cubic, 1000 control points", fit, w->n,
-            "point");
+        row(w, "least squares, cubic, 1000 control points", fit, w->n, "point");
         free(w->pts);
     }
 }

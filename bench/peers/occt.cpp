@@ -19,7 +19,8 @@
 #include "tasks.h"
 #include "time.h"
 
-namespace {
+namespace
+{
 
 // Distinct knots and their multiplicities.
 struct Knots {
@@ -63,8 +64,8 @@ double near_curve(void *arg)
 {
     gp_Pnt p(task_point[0], task_point[1], task_point[2]);
 
-    return GeomAPI_ProjectPointOnCurve(
-               p, *static_cast<Handle(Geom_Curve) *>(arg))
+    return GeomAPI_ProjectPointOnCurve(p,
+                                       *static_cast<Handle(Geom_Curve) *>(arg))
         .LowerDistance();
 }
 
@@ -104,8 +105,8 @@ double near_surface(void *arg)
 
 double contour(void *arg)
 {
-    Handle(Geom_Surface) plane = new Geom_Plane(gp_Pnt(0, 0, task_level),
-                                                gp_Dir(0, 0, 1));
+    Handle(Geom_Surface)
+        plane = new Geom_Plane(gp_Pnt(0, 0, task_level), gp_Dir(0, 0, 1));
 
     return GeomAPI_IntSS(*static_cast<Handle(Geom_Surface) *>(arg), plane,
                          TASK_TOL)
@@ -127,9 +128,9 @@ struct Fit {
         task_cloud(n, x.data(), y.data(), z.data());
         for (int i = 0; i < n; i++) {
             points(i + 1) = gp_Pnt(x[i], y[i], z[i]);
-            params(i + 1) = i == 0 ? 0
-                                   : params(i) + points(i).Distance(
-                                                     points(i + 1));
+            params(i + 1) = i == 0
+                                ? 0
+                                : params(i) + points(i).Distance(points(i + 1));
         }
         params.Multiply(1 / params(n));
         for (int i = 1; i <= knots.Upper(); i++) {
@@ -145,8 +146,8 @@ double fit(void *arg)
     Fit *w = static_cast<Fit *>(arg);
     AppDef_MultiLine line(w->points);
     AppDef_BSpParLeastSquareOfMyBSplGradientOfBSplineCompute o(
-        line, w->knots, w->mults, 1, w->points.Upper(),
-        AppParCurves_PassPoint, AppParCurves_PassPoint, w->params, TASK_FIT);
+        line, w->knots, w->mults, 1, w->points.Upper(), AppParCurves_PassPoint,
+        AppParCurves_PassPoint, w->params, TASK_FIT);
     double sum, far3, far2;
 
     if (!o.IsDone())

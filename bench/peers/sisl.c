@@ -5,8 +5,7 @@
 #include "tasks.h"
 #include "time.h"
 
-/* Three are zero-sized points: SISL's own unit of what counts as the same. */
-#define EPS_MEET 1e-9
+#define EPS_MEET 1e-9 /* points closer than that are one, for SISL */
 
 typedef struct {
     SISLCurve *a, *b;

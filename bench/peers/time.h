@@ -30,7 +30,7 @@ static inline void peer_row(const char *task, int n, double (*fn)(void *),
         ns = (peer_clock() - start) / (double)calls;
         best = ns < best ? ns : best;
     }
-    printf("%s, n = %d\t%.6g\t%.9g\n", task, n, best, answer);
+    printf("%s, n = %d\t%.6g\t%.6g\n", task, n, best, answer);
     fflush(stdout);
 }
 

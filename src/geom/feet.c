@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/feet.h"
 #include "mv/mv.h"
 #include "solve/form_roots.h"
 
@@ -35,25 +36,27 @@ static ix_status unit(ix_ctx *ctx, const double *dir, double d[3])
     return IX_OK;
 }
 
-/* Curve minus p, in a frame of its own size, and its tangent direction times a
- * positive function: x' or x' w - x w'. */
-static ix_status load(ix_ctx *ctx, const ix_mv *c, const double p[3],
-                      ix_form *x, ix_form *tan)
+ix_status ix__foot_forms(ix_ctx *ctx, const ix_mv *c, const double p[3],
+                         ix_form *x, ix_form *w)
 {
     ix_frame frame;
-    ix_form f, w;
+    ix_form f;
 
     IX_TRY(ix__frame_of(ctx, 1, &c, &frame));
     for (int k = 0; k < frame.ncoords; k++)
         frame.shift[k] = p[k];
     IX_TRY(ix__forms_load(ctx, 1, &c, &frame, &f));
-    if (!c->rational) {
-        *x = f;
-        return ix__form_derive(ctx, x, 0, tan);
-    }
-    w = ix__form_rows(&f, 0, 1);
-    *x = ix__form_rows(&f, 1, f.nrows - 1);
-    return ix__form_jacobian(ctx, x, &w, 0, tan);
+    *w = ix__form_rows(&f, 0, c->rational);
+    *x = ix__form_rows(&f, c->rational, f.nrows - c->rational);
+    return IX_OK;
+}
+
+/* The tangent's direction times a positive function: x' or x' w - x w'. */
+static ix_status tangent(ix_ctx *ctx, const ix_form *x, const ix_form *w,
+                         ix_form *tan)
+{
+    return w->nrows ? ix__form_jacobian(ctx, x, w, 0, tan)
+                    : ix__form_derive(ctx, x, 0, tan);
 }
 
 /* x_0 t_1 - x_1 t_0. */
@@ -67,32 +70,52 @@ static ix_status cross_z(ix_ctx *ctx, const ix_form *x, const ix_form *t,
     return ix__form_mul_add(ctx, &x1, -1, &t0, out);
 }
 
-static ix_status field_roots(ix_ctx *ctx, const ix_mv *c, const double p[3],
+/* The roots of x . tan or of x times tan. */
+static ix_status field_roots(ix_ctx *ctx, const ix_form *x, const ix_form *tan,
+                             field_kind kind, ix_root **roots, int *n)
+{
+    double *size, *other;
+    ix_form f;
+
+    IX_TRY(kind == TANGENT ? cross_z(ctx, x, tan, &f)
+                           : ix__form_dot(ctx, x, tan, &f));
+    IX_SCRATCH(ctx, size, f.dirs[0].nspans);
+    IX_SCRATCH(ctx, other, f.dirs[0].nspans);
+    IX_TRY(ix__form_sizes(ctx, x, size));
+    IX_TRY(ix__form_sizes(ctx, tan, other));
+    for (int j = 0; j < f.dirs[0].nspans; j++)
+        size[j] *= other[j];
+    return ix__form_roots(ctx, &f, size, roots, n);
+}
+
+ix_status ix__foot_roots(ix_ctx *ctx, const ix_form *x, const ix_form *w,
+                         ix_root **roots, int *n)
+{
+    ix_form tan;
+
+    IX_TRY(tangent(ctx, x, w, &tan));
+    return field_roots(ctx, x, &tan, FOOT, roots, n);
+}
+
+static ix_status curve_roots(ix_ctx *ctx, const ix_mv *c, const double p[3],
                              const double *dir, field_kind kind,
                              ix_root **roots, int *n)
 {
-    ix_form x, tan, f, own;
-    double d[3], *size, *other;
+    ix_form x, w, tan, own;
+    double d[3];
 
-    IX_TRY(load(ctx, c, p, &x, &tan));
+    IX_TRY(ix__foot_forms(ctx, c, p, &x, &w));
+    IX_TRY(tangent(ctx, &x, &w, &tan));
     if (dir) {
         IX_TRY(unit(ctx, dir, d));
         IX_TRY(ix__form_copy(ctx, &x, &own));
         project_out(&own, d);
         x = own;
     }
-    IX_TRY(kind == TANGENT ? cross_z(ctx, &x, &tan, &f)
-                           : ix__form_dot(ctx, &x, &tan, &f));
-    IX_SCRATCH(ctx, size, f.dirs[0].nspans);
-    IX_SCRATCH(ctx, other, f.dirs[0].nspans);
-    IX_TRY(ix__form_sizes(ctx, &x, size));
-    IX_TRY(ix__form_sizes(ctx, &tan, other));
-    for (int j = 0; j < f.dirs[0].nspans; j++)
-        size[j] *= other[j];
-    return ix__form_roots(ctx, &f, size, roots, n);
+    return field_roots(ctx, &x, &tan, kind, roots, n);
 }
 
-static ix_status check_curve(ix_ctx *ctx, const ix_mv *c, int least)
+ix_status ix__check_curve(ix_ctx *ctx, const ix_mv *c, int least)
 {
     if (c->ndirs != 1)
         return IX_FAIL(ctx, IX_EARG, "%d directions; a curve is wanted",
@@ -140,10 +163,10 @@ static ix_status run(ix_ctx *ctx, const ix_mv *c, const double p[3],
 
     *roots = NULL;
     *n = 0;
-    IX_TRY(check_curve(ctx, c, kind == TANGENT ? 2 : 1));
+    IX_TRY(ix__check_curve(ctx, c, kind == TANGENT ? 2 : 1));
     IX_TRY(padded(ctx, c, dir, &m));
     mk = ix__scratch_mark(ctx);
-    st = field_roots(ctx, m, p, dir, kind, &r, &count);
+    st = curve_roots(ctx, m, p, dir, kind, &r, &count);
     if (st == IX_OK)
         st = give(ctx, r, count, roots, n);
     ix__scratch_release(ctx, mk);
@@ -161,76 +184,4 @@ ix_status ix_crv_tangents_from(ix_ctx *ctx, const ix_mv *c, const double p[3],
                                ix_root **roots, int *n)
 {
     return run(ctx, c, p, NULL, TANGENT, roots, n);
-}
-
-/* --- distances
- * ------------------------------------------------------------------ */
-
-static ix_status distance_at(ix_ctx *ctx, const ix_mv *c, double t,
-                             const double p[3], const double *dir, double *out)
-{
-    double x[3] = {0, 0, 0}, d[3], s = 0;
-
-    IX_TRY(ix_mv_point(ctx, c, &t, x));
-    for (int k = 0; k < 3; k++)
-        x[k] -= p[k];
-    if (dir) {
-        IX_TRY(unit(ctx, dir, d));
-        for (int k = 0; k < 3; k++)
-            s += x[k] * d[k];
-        for (int k = 0; k < 3; k++)
-            x[k] -= s * d[k];
-    }
-    *out = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-    return IX_OK;
-}
-
-typedef struct {
-    double t, d;
-    bool any, farthest;
-} champion;
-
-static void offer(champion *b, double t, double d)
-{
-    if (!b->any || (b->farthest ? d > b->d : d < b->d)) {
-        b->t = t;
-        b->d = d;
-        b->any = true;
-    }
-}
-
-static ix_status best_of(ix_ctx *ctx, const ix_mv *c, const double p[3],
-                         const double *dir, const ix_root *r, int n,
-                         champion *b)
-{
-    double dom[2], d;
-
-    ix_mv_domain(c, 0, dom);
-    IX_TRY(distance_at(ctx, c, dom[0], p, dir, &d));
-    offer(b, dom[0], d);
-    for (int i = 0; i < n; i++) {
-        IX_TRY(distance_at(ctx, c, r[i].t, p, dir, &d));
-        offer(b, r[i].t, d);
-    }
-    IX_TRY(distance_at(ctx, c, dom[1], p, dir, &d));
-    offer(b, dom[1], d);
-    return IX_OK;
-}
-
-ix_status ix_crv_nearest(ix_ctx *ctx, const ix_mv *c, const double p[3],
-                         const double *dir, bool farthest, double *t,
-                         double *distance)
-{
-    champion b = {.farthest = farthest};
-    ix_root *r;
-    ix_status st;
-    int n;
-
-    IX_TRY(ix_crv_feet(ctx, c, p, dir, &r, &n));
-    st = best_of(ctx, c, p, dir, r, n, &b);
-    ix_roots_free(ctx, r, n);
-    IX_TRY(st);
-    *t = b.t;
-    *distance = b.d;
-    return IX_OK;
 }

@@ -95,8 +95,7 @@ static ix_status make_tree(ix_ctx *ctx, ix__planar_spans *s)
         s->leaves *= 2;
     IX_SCRATCH(ctx, s->tree, 2 * (size_t)s->leaves);
     for (int i = 0; i < s->leaves; i++)
-        s->tree[s->leaves + i] = i < s->sp.nspans ? box_of_span(s, i)
-                                                  : nothing;
+        s->tree[s->leaves + i] = i < s->sp.nspans ? box_of_span(s, i) : nothing;
     for (int n = s->leaves - 1; n > 0; n--)
         s->tree[n] = unite(&s->tree[2 * n], &s->tree[2 * n + 1]);
     return IX_OK;
@@ -126,8 +125,8 @@ ix_status ix__planar_spans_of(ix_ctx *ctx, const ix_mv *const c[2],
 {
     double w = c[0]->rational ? ix_mv_weights(c[0])[0] : 1, shift[2] = {0, 0};
 
-    if (w > 0 && (c[0]->dirs[0].basis != IX_BEZIER ||
-                  c[1]->dirs[0].basis != IX_BEZIER))
+    if (w > 0 &&
+        (c[0]->dirs[0].basis != IX_BEZIER || c[1]->dirs[0].basis != IX_BEZIER))
         for (int k = 0; k < 2; k++)
             shift[k] = ix_mv_coord(c[0], k)[0] / w;
     IX_TRY(load(ctx, c[0], shift, &out[0]));

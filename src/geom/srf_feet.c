@@ -1,12 +1,15 @@
-/* srf_feet.c - the points of a surface nearest to a point: interior feet of
- * perpendiculars, then the four boundary curves. */
+/* srf_feet.c - points of a surface whose way to a point or a line is
+ * perpendicular to it. */
 #include <math.h>
 
+#include "geom/feet.h"
 #include "iritx/distance.h"
 #include "iritx/sym.h"
 #include "mv/mv.h"
 
-static ix_status check_surface(ix_ctx *ctx, const ix_mv *s)
+#define MAX_BOXES 200000
+
+ix_status ix__check_surface(ix_ctx *ctx, const ix_mv *s)
 {
     if (s->ndirs != 2 || s->ncoords > 3)
         return IX_FAIL(ctx, IX_EARG,
@@ -28,10 +31,11 @@ static ix_status foot_field(ix_ctx *ctx, const ix_mv *rel, int dir, ix_mv **out)
     return st;
 }
 
-static ix_status solve_feet(ix_ctx *ctx, const ix_mv *rel, ix_solutions *out)
+ix_status ix__feet_of_origin(ix_ctx *ctx, const ix_mv *rel, size_t max_boxes,
+                             ix_solutions *out)
 {
     ix_equation eq[2] = {{.rel = IX_EQUAL_ZERO}, {.rel = IX_EQUAL_ZERO}};
-    ix_solve_opts o = {.max_boxes = 200000};
+    const ix_solve_opts o = {.max_boxes = max_boxes};
     ix_status st;
     ix_mv *f, *g;
 
@@ -48,8 +52,7 @@ static ix_status solve_feet(ix_ctx *ctx, const ix_mv *rel, ix_solutions *out)
     return st;
 }
 
-/* S - p, or (dir given) its part perpendicular to dir, in 3 coordinates. */
-static ix_status relative(ix_ctx *ctx, const ix_mv *s, const double p[3],
+ix_status ix__relative_to(ix_ctx *ctx, const ix_mv *s, const double p[3],
                           const double *dir, ix_mv **out)
 {
     double m[16] = {0};
@@ -79,9 +82,9 @@ static ix_status feet(ix_ctx *ctx, const ix_mv *s, const double p[3],
     ix_mv *rel;
 
     *out = (ix_solutions){.n = 0};
-    IX_TRY(check_surface(ctx, s));
-    IX_TRY(relative(ctx, s, p, dir, &rel));
-    st = solve_feet(ctx, rel, out);
+    IX_TRY(ix__check_surface(ctx, s));
+    IX_TRY(ix__relative_to(ctx, s, p, dir, &rel));
+    st = ix__feet_of_origin(ctx, rel, MAX_BOXES, out);
     ix_mv_unref(ctx, rel);
     return st;
 }
@@ -96,98 +99,4 @@ ix_status ix_srf_line_feet(ix_ctx *ctx, const ix_mv *s, const double p[3],
                            const double dir[3], ix_solutions *out)
 {
     return feet(ctx, s, p, dir, out);
-}
-
-typedef struct {
-    const ix_mv *rel; /* the distance from the origin is meant */
-    double uv[2], d;
-    bool any, farthest;
-} champion;
-
-static ix_status offer(ix_ctx *ctx, const double *uv, champion *b)
-{
-    double x[3] = {0, 0, 0}, d;
-
-    IX_TRY(ix_mv_point(ctx, b->rel, uv, x));
-    d = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-    if (!b->any || (b->farthest ? d > b->d : d < b->d)) {
-        b->uv[0] = uv[0];
-        b->uv[1] = uv[1];
-        b->d = d;
-        b->any = true;
-    }
-    return IX_OK;
-}
-
-static ix_status offer_boundary(ix_ctx *ctx, int dir, double at, champion *b)
-{
-    const double origin[3] = {0, 0, 0};
-    double uv[2], d;
-    ix_status st;
-    ix_mv *c;
-
-    uv[dir] = at;
-    IX_TRY(ix_mv_fix(ctx, b->rel, dir, at, &c));
-    st = ix_crv_nearest(ctx, c, origin, NULL, b->farthest, &uv[1 - dir], &d);
-    ix_mv_unref(ctx, c);
-    IX_TRY(st);
-    return offer(ctx, uv, b);
-}
-
-static ix_status offer_all(ix_ctx *ctx, champion *b)
-{
-    ix_status st = IX_OK;
-    ix_solutions sol;
-
-    IX_TRY(solve_feet(ctx, b->rel, &sol));
-    for (int i = 0; st == IX_OK && i < sol.n; i++)
-        st = offer(ctx, sol.sol[i].x, b);
-    ix_solutions_free(ctx, &sol);
-    for (int dir = 0; st == IX_OK && dir < 2; dir++) {
-        double dom[2];
-
-        ix_mv_domain(b->rel, dir, dom);
-        for (int e = 0; st == IX_OK && e < 2; e++)
-            st = offer_boundary(ctx, dir, dom[e], b);
-    }
-    return st;
-}
-
-static ix_status nearest(ix_ctx *ctx, const ix_mv *s, const double p[3],
-                         const double *dir, champion *b)
-{
-    ix_status st;
-    ix_mv *rel;
-
-    IX_TRY(check_surface(ctx, s));
-    IX_TRY(relative(ctx, s, p, dir, &rel));
-    b->rel = rel;
-    st = offer_all(ctx, b);
-    ix_mv_unref(ctx, rel);
-    return st;
-}
-
-ix_status ix_srf_nearest(ix_ctx *ctx, const ix_mv *s, const double p[3],
-                         bool farthest, double uv[2], double *distance)
-{
-    champion b = {.farthest = farthest};
-
-    IX_TRY(nearest(ctx, s, p, NULL, &b));
-    uv[0] = b.uv[0];
-    uv[1] = b.uv[1];
-    *distance = b.d;
-    return IX_OK;
-}
-
-ix_status ix_srf_line_nearest(ix_ctx *ctx, const ix_mv *s, const double p[3],
-                              const double dir[3], bool farthest, double uv[2],
-                              double *distance)
-{
-    champion b = {.farthest = farthest};
-
-    IX_TRY(nearest(ctx, s, p, dir, &b));
-    uv[0] = b.uv[0];
-    uv[1] = b.uv[1];
-    *distance = b.d;
-    return IX_OK;
 }

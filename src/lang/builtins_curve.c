@@ -317,7 +317,8 @@ const ix_builtin ix__builtins_curve[] = {
     {"CINTERP",
      "data:list|curve order:num size:num param:num|list periodic:num -> any",
      "B-spline through points (size 0 or their number) or nearest to them; of "
-     "a curve, list(nearest spline, largest distance).",
+     "a curve, list(nearest spline, largest distance). Time is linear in the "
+     "number of points.",
      "c = cinterp(list(point(0,0,0), point(1,1,0), point(2,0,0)), 3, 0, "
      "PARAM_UNIFORM, false);",
      cinterp, 0, 7},

@@ -383,7 +383,7 @@ const ix_builtin ix__builtins_distance[] = {
     {"CRVPTDST", "c:curve p:pt3 min:bool eps:num -> num|list",
      "The parameter of the point of a curve nearest to p (farthest if min is "
      "off), ends included; with eps < 0 the list of all parameters where the "
-     "distance is stationary.",
+     "distance is stationary. Time is linear in the number of spans.",
      C "t = crvptdst(c, point(1, 3, 0), true, 1e-5);", crvptdst, 0, 9},
     {"CRVLNDST", "c:curve p:pt3 d:pv min:bool eps:num -> num|list",
      "As CRVPTDST, for the distance from the line through p in direction d.",
@@ -401,12 +401,14 @@ const ix_builtin ix__builtins_distance[] = {
     {"CCINTER", "c1:curve c2:curve eps:num self:bool -> list|surface",
      "All intersections of two curves in the XY plane as points (t1, t2, 0); "
      "with self on, of c1 with itself. With eps <= 0 the squared distance as "
-     "the surface (t1, t2, distance).",
+     "the surface (t1, t2, distance). Time grows as spans and crossings of two "
+     "curves do (n log n), with self on as the square.",
      C "i = ccinter(c, c * rotz(10), 1e-5, false);", ccinter, 0, 9},
     {"SRFPTDST", "s:surface p:pt3 min:bool subdiv:num numer:num -> point|list",
      "The parameters (u, v, 0) of the point of a surface nearest to p "
      "(farthest if min is off); with subdiv < 0 the list of all interior ones "
-     "where the distance is stationary.",
+     "where the distance is stationary. Time is linear in the number of "
+     "patches.",
      S "q = srfptdst(s, point(1, 1, 5), true, 0.1, 1e-6);", srfptdst, 0, 13},
     {"SRFLNDST",
      "s:surface p:pt3 d:pv min:bool subdiv:num numer:num -> point|list",
@@ -417,7 +419,8 @@ const ix_builtin ix__builtins_distance[] = {
      "x:curve|surface pl:plane [mapped:surface] [cone:list] -> poly|list",
      "Where the plane cuts x, as polylines: (u, v, 0) of a scalar surface "
      "(its value is x: use plane(1, 0, 0, -level)), else points of x, or of "
-     "mapped. No value if there is no such curve.",
+     "mapped. No value if there is no such curve. Time is that of the points "
+     "on the curves and, far less, of the patches.",
      S "o = contour(s, plane(0, 0, 1, -0.5));", contour, 0, 13},
     {"SILHOUETTE", "s:surface view:pv euclid:bool -> poly",
      "Where the normal of a surface is perpendicular to view, as polylines on "

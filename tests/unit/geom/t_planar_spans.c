@@ -31,8 +31,8 @@ static ix_mv *changed(ix_mv *m, double v, bool flip, bool mixed)
 {
     ix_mv *n;
 
-    ASSERT_OK(ctx, ix__mv_alloc(ctx, m->ndirs, m->dirs, m->ncoords,
-                                m->rational, &n));
+    ASSERT_OK(
+        ctx, ix__mv_alloc(ctx, m->ndirs, m->dirs, m->ncoords, m->rational, &n));
     for (size_t i = 0; i < m->npts; i++)
         for (int k = 0; k < m->naxes; k++) {
             size_t at = (size_t)k * m->npts + i;
