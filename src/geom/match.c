@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/monotone.h"
 #include "geom/parts.h"
 #include "geom/path.h"
 #include "geom/vec3.h"
@@ -84,52 +85,26 @@ static double value(const pairs *q, int i, int j)
 }
 
 /* The pair's value, -HUGE_VAL if it may not be used. */
-static double allowed(const pairs *q, int i, int j)
+static double allowed(const void *arg, int i, int j)
 {
+    const pairs *q = arg;
     double v = value(q, i, j);
 
     return v > 0 || q->o->allow_negative ? v : -HUGE_VAL;
 }
 
-/* Best mean value over monotone paths from (0, 0) to (n-1, n-1); from[i n + j]
- * tells the step that leads to (i, j): 1 i, 2 j, 3 both. A step counts as much
- * as it advances, the value between its ends as their mean. */
-static double best_path(const pairs *q, double *row, double *val, char *from)
+/* Best mean value over monotone paths from (0, 0) to (n-1, n-1). */
+static double best_path(const pairs *q, double *work, char *from)
 {
-    int n = q->n;
-    double *last = row + n, *lastval = val + n;
+    const ix__monotone m = {allowed, q, q->n, 0};
+    int end[2];
 
-    for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-            double v = allowed(q, i, j), top = i || j ? -HUGE_VAL : 0;
-            char step = 0;
-
-            if (i && j && last[j - 1] + (lastval[j - 1] + v) / 2 > top) {
-                top = last[j - 1] + (lastval[j - 1] + v) / 2;
-                step = 3;
-            }
-            if (i && last[j] + (lastval[j] + v) / 4 > top) {
-                top = last[j] + (lastval[j] + v) / 4;
-                step = 1;
-            }
-            if (j && row[j - 1] + (val[j - 1] + v) / 4 > top) {
-                top = row[j - 1] + (val[j - 1] + v) / 4;
-                step = 2;
-            }
-            row[j] = top;
-            val[j] = v;
-            if (from)
-                from[(size_t)i * (size_t)n + (size_t)j] = step;
-        }
-        memcpy(last, row, (size_t)n * sizeof *last);
-        memcpy(lastval, val, (size_t)n * sizeof *lastval);
-    }
-    return last[n - 1] / (n - 1);
+    return ix__monotone_best(&m, work, from, end) / (q->n - 1);
 }
 
 /* The shift with the best path: a coarse search over all, then a fine one
  * around the best (shifts move the value smoothly). */
-static ix_status best_shift(ix_ctx *ctx, pairs *q, double *row, double *val)
+static ix_status best_shift(ix_ctx *ctx, pairs *q, double *work)
 {
     int stride = 1 + (q->n - 1) / 64, best = 0, m = (q->n - 1) / stride + 1;
     double top = -HUGE_VAL;
@@ -146,7 +121,7 @@ static ix_status best_shift(ix_ctx *ctx, pairs *q, double *row, double *val)
     c.b = b;
     c.n = m;
     for (c.shift = 0; c.shift < m - 1; c.shift++) {
-        double v = best_path(&c, row, val, NULL);
+        double v = best_path(&c, work, NULL);
 
         if (v > top) {
             top = v;
@@ -161,7 +136,7 @@ static ix_status best_shift(ix_ctx *ctx, pairs *q, double *row, double *val)
 
         IX_TRY(ix__poll(ctx));
         f.shift = (best + k + q->n - 1) % (q->n - 1);
-        v = best_path(&f, row, val, NULL);
+        v = best_path(&f, work, NULL);
         if (v > top) {
             top = v;
             q->shift = f.shift;
@@ -194,25 +169,20 @@ static void make_monotone(int n, double *c, double *mean, int *count)
 }
 
 /* Pairs of the path as t[] (of c1) and r[] (of c2), both in [0, 1]. */
-static int trace(const pairs *q, const char *from, double *t, double *r)
+static ix_status trace(ix_ctx *ctx, const pairs *q, const char *from, int *m,
+                       double *t, double *r)
 {
-    int n = q->n, i = n - 1, j = i, m = 0, total = 1;
+    const int end[2] = {q->n - 1, q->n - 1};
+    int *i, *j;
 
-    for (int a = i, b = j; a || b; total++) {
-        char step = from[(size_t)a * (size_t)n + (size_t)b];
-
-        a -= step & 1;
-        b -= step >> 1;
+    IX_SCRATCH(ctx, i, 2 * q->n);
+    IX_SCRATCH(ctx, j, 2 * q->n);
+    *m = ix__monotone_trace(q->n, from, end, i, j);
+    for (int k = 0; k < *m; k++) {
+        t[k] = (double)i[k] / (q->n - 1);
+        r[k] = (double)j[k] / (q->n - 1);
     }
-    for (m = total - 1; m >= 0; m--) {
-        char step = from[(size_t)i * (size_t)n + (size_t)j];
-
-        t[m] = (double)i / (n - 1);
-        r[m] = (double)j / (n - 1);
-        i -= step & 1;
-        j -= step >> 1;
-    }
-    return total;
+    return IX_OK;
 }
 
 /* r(t) as a scalar curve over c1's domain with values in c2's. */
@@ -285,11 +255,10 @@ static ix_status find(ix_ctx *ctx, pairs *q, int *m, double **t, double **r,
                       double *worth)
 {
     size_t n = (size_t)q->n;
-    double *row, *val;
+    double *work;
     char *from;
 
-    IX_SCRATCH(ctx, row, 2 * n);
-    IX_SCRATCH(ctx, val, 2 * n);
+    IX_SCRATCH(ctx, work, 4 * n);
     IX_SCRATCH(ctx, from, n * n);
     IX_SCRATCH(ctx, *t, 2 * n);
     IX_SCRATCH(ctx, *r, 2 * n);
@@ -297,14 +266,13 @@ static ix_status find(ix_ctx *ctx, pairs *q, int *m, double **t, double **r,
         for (int j = 0; q->o->norm == IX_MATCH_WALK && j < q->n; j++)
             q->farthest = fmax(q->farthest, ix__dist3(q->a[i].p, q->b[j].p));
     if (q->o->rotate && closed(q->b, q->n) && q->n > 3)
-        IX_TRY(best_shift(ctx, q, row, val));
-    *worth = best_path(q, row, val, from);
+        IX_TRY(best_shift(ctx, q, work));
+    *worth = best_path(q, work, from);
     if (!(*worth > -HUGE_VAL))
         return IX_FAIL(ctx, IX_EDOMAIN,
                        "no match: every way from start to end has pairs of "
                        "negative value");
-    *m = trace(q, from, *t, *r);
-    return IX_OK;
+    return trace(ctx, q, from, m, *t, *r);
 }
 
 static ix_status match(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
