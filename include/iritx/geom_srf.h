@@ -89,6 +89,45 @@ ix_status ix_srf_fit_points(ix_ctx *ctx, int n, const double *uv, int ncoords,
                             const double *values, const int order[2],
                             const int size[2], ix_mv **out) IX_MUST_CHECK;
 
+/* --- ruled surfaces near others ---------------------------------------- */
+
+/* How to fit one ruled surface. */
+typedef struct {
+    int dir;       /* 0 or 1: the direction of srf along which rulings run */
+    double extend; /* 0 .. 1: srf is continued by this part of its domain at
+                      both ends of the other direction, so that rulings may lean
+                      at the ends too */
+    int samples;   /* 2 .. 1000: places on each side where rulings may end */
+} ix_ruled_opts;
+/* Distances of points of srf, even in its parameters, four times as many along
+ * its sides as samples, from the result. */
+typedef struct {
+    double rms, largest;
+} ix_fit_error;
+
+/* The ruled surface nearest to a surface, all of which it is to cover.
+ *
+ * Rulings first join places of the two sides so that the mean squared distance
+ * of the surface from them is least, without crossing (dynamic programming).
+ * Then both sides, splines, move: least squares of distances, each point of the
+ * surface measured from the nearest one of the ruled surface, until that
+ * settles (a local optimum). The sides have srf's order and knots, each span
+ * halved as long as there are at most order + samples / 4 control points, and
+ * (t + r) / 2 as parameter where rulings first joined the parameters t and r. A
+ * result that is worse than the ruled surface between the two sides of srf
+ * gives way to it; it is also the answer where srf is ruled, then with srf's
+ * rational points.
+ *
+ * Out   *out  order 2 in direction dir; err may be NULL. The sides of a closed
+ *             srf need not close
+ * Err   IX_EARG not a surface of at most 3 coordinates, orders below 2, options
+ *       IX_EDOMAIN poles
+ * Num   O(samples^2 + points); deterministic
+ * Src   damped tangent distances: Wang, Pottmann, Liu 2006 */
+ix_status ix_srf_fit_ruled(ix_ctx *ctx, const ix_mv *srf,
+                           const ix_ruled_opts *o, ix_fit_error *err,
+                           ix_mv **out) IX_MUST_CHECK;
+
 /* --- revolution -------------------------------------------------------- */
 
 /* How a full turn is represented. */

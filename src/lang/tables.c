@@ -69,6 +69,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_visible,
     ix__builtins_text,
     ix__builtins_envelope,
+    ix__builtins_fit,
     ix__builtins_planar,
     ix__builtins_layout,
     ix__builtins_volume,

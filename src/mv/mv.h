@@ -50,6 +50,10 @@ ix_status ix__mv_map(ix_ctx *ctx, const ix_mv *m, int dir, const ix_rows *b,
  * direction. */
 ix_status ix__mv_clip(ix_ctx *ctx, const ix_mv *m, int dir, const double t[2],
                       ix_mv **out) IX_MUST_CHECK;
+/* The open B-spline direction dir of m over [to[0], to[1]], which holds its
+ * domain: the first and the last polynomial go on there. */
+ix_status ix__mv_continue(ix_ctx *ctx, const ix_mv *m, int dir,
+                          const double to[2], ix_mv **out) IX_MUST_CHECK;
 /* A periodic direction made float: points repeated at its end. */
 ix_status ix__mv_unwrap(ix_ctx *ctx, const ix_mv *m, int dir,
                         ix_mv **out) IX_MUST_CHECK;
