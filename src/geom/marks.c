@@ -8,8 +8,9 @@
 #include "geom/crvs.h"
 #include "geom/outer_mv.h"
 #include "geom/pool.h"
+#include "geom/vec3.h"
 
-ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
+ix_status ix__marks_ends(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
 {
     *out = (ix__marks){.ctx = ctx, .crv = crv, .room = 64};
     IX_TRY(ix__check_planar(ctx, crv));
@@ -20,7 +21,12 @@ ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
     out->dom[0] = out->path.breaks[0];
     out->dom[1] = out->path.breaks[out->path.nspans];
     IX_TRY(ix__marks_add(out, out->dom[0]));
-    IX_TRY(ix__marks_add(out, out->dom[1]));
+    return ix__marks_add(out, out->dom[1]);
+}
+
+ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
+{
+    IX_TRY(ix__marks_ends(ctx, crv, out));
     for (int s = 1; s < out->path.nspans; s++)
         if (ix__path_is_corner(&out->path, s))
             IX_TRY(ix__marks_add(out, out->path.breaks[s]));
@@ -81,6 +87,53 @@ void ix__marks_sort(ix__marks *m)
             m->t[n++] = m->t[i];
     m->t[n - 1] = m->dom[1]; /* one next to the end is the end */
     m->n = n;
+}
+
+/* Does the curve from a to b stay within tol of where it begins? As seen at
+ * eight places: a piece that leaves between two of them and comes back within
+ * an eighth is longer than the tolerance by chance only. */
+static bool stays(const ix__marks *m, double a, double b, double tol)
+{
+    double p[IX_MAX_COORDS], q[IX_MAX_COORDS];
+
+    ix__path_point(&m->path, a, p);
+    for (int i = 1; i <= 8; i++) {
+        ix__path_point(&m->path, i == 8 ? b : a + (b - a) * i / 8, q);
+        if (!(hypot(q[0] - p[0], q[1] - p[1]) <= tol))
+            return false;
+    }
+    return true;
+}
+
+void ix__marks_thin(ix__marks *m, double tol)
+{
+    int n = 1;
+
+    ix__marks_sort(m);
+    for (int i = 1; i + 1 < m->n; i++)
+        if (!stays(m, m->t[n - 1], m->t[i], tol))
+            m->t[n++] = m->t[i];
+    while (n > 1 && stays(m, m->t[n - 1], m->dom[1], tol))
+        n--;
+    m->t[n++] = m->dom[1];
+    m->n = n;
+}
+
+ix_status ix__marks_add_corners(ix__marks *m, double angle)
+{
+    for (int s = 1; s < m->path.nspans; s++) {
+        double t = m->path.breaks[s], u[3], v[3], c[3];
+        bool both = ix__path_tangent3(&m->path, s - 1, t, true, u) &&
+                    ix__path_tangent3(&m->path, s, t, false, v);
+
+        if (both) {
+            ix__cross3(u, v, c);
+            both = atan2(ix__len3(c), ix__dot3(u, v)) <= angle;
+        }
+        if (!both)
+            IX_TRY(ix__marks_add(m, t));
+    }
+    return IX_OK;
 }
 
 /* f' of the numerator f, or what f' w - f w' is for a fraction. */

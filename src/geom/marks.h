@@ -15,8 +15,10 @@ typedef struct {
     double *t;
 } ix__marks;
 
-/* For a planar curve without poles; the ends of its domain and its corners
- * are marked. */
+/* For a planar curve without poles; the ends of its domain are marked ... */
+ix_status ix__marks_ends(ix_ctx *ctx, const ix_mv *crv,
+                         ix__marks *out) IX_MUST_CHECK;
+/* ... and its corners, too. */
 ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv,
                         ix__marks *out) IX_MUST_CHECK;
 ix_status ix__marks_add(ix__marks *m, double t) IX_MUST_CHECK;
@@ -27,6 +29,11 @@ ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r,
 ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s) IX_MUST_CHECK;
 /* Sorts them; one of those closer than 1e-9 of the domain stays. */
 void ix__marks_sort(ix__marks *m);
+/* Sorts them and leaves only so many that no part of the curve between two
+ * stays within tol of where it begins; the domain's ends stay. */
+void ix__marks_thin(ix__marks *m, double tol);
+/* Corners whose tangents make more than angle (radians), or without tangent. */
+ix_status ix__marks_add_corners(ix__marks *m, double angle) IX_MUST_CHECK;
 
 /* Where (C - at) . normal vanishes, or with stationary, where its derivative
  * does; freed with ix_roots_free. */

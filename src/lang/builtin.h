@@ -91,6 +91,7 @@ extern const ix_builtin ix__builtins_text[];
 extern const ix_builtin ix__builtins_envelope[];
 extern const ix_builtin ix__builtins_fit[];
 extern const ix_builtin ix__builtins_planar[];
+extern const ix_builtin ix__builtins_arrange[];
 extern const ix_builtin ix__builtins_layout[];
 extern const ix_builtin ix__builtins_volume[];
 extern const ix_builtin ix__builtins_contact[];

@@ -170,9 +170,6 @@ const ix_builtin ix__builtins_envelope[] = {
            "crvs:list angDev:num outType:num size:num smooth:num -> any",
            "Tiles a planar region with quadrilaterals",
            C "o = c2rectrgn(list(c), 30, 1, 0.3, 0);", 9),
-    ABSENT("CARNGMNT2", "crvs:any op:num params:list -> any",
-           "Keeps an arrangement of curves and works on it (see CARRANGMNT)",
-           C "a = carngmnt2(list(c), 1, list(1e-3, 1e-3, true, 7));", 9),
     ABSENT("CCRVTR1PT",
            "c:curve idx:num min:num max:num subdiv:num numer:num op:num -> "
            "any",

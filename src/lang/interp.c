@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "lang/arrangements.h"
 #include "lang/interp_impl.h"
 
 #define DEFAULT_CALLS  1000
@@ -83,6 +84,7 @@ void ix__interp_free(ix_interp *in)
     ix__syms_free(in);
     ix__obj_unref(ctx, in->viewed);
     ix__attr_free_all(ctx, &in->states.other);
+    ix__kept_free_all(ctx, &in->states.kept);
     ix__buf_free(&in->text);
     ix__free(ctx, in->stack, in->cap_stack * sizeof(*in->stack));
     ix__free(ctx, in->frame, in->cap_frames * sizeof(*in->frame));

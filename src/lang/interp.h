@@ -85,6 +85,8 @@ typedef struct {
     uint64_t random;       /* RandomInit */
     bool echo_source;      /* [false] print each source line as it is read */
     bool debug_func;       /* [false] trace calls of user functions */
+    struct ix__kept *kept; /* arrangements (lang/arrangements.h); freed with the
+                              interpreter */
     double time_start;     /* processor seconds at TIME's last reset [start] */
     ix_attr *other;        /* the states that are only remembered, by name;
                               freed with the interpreter */

@@ -71,6 +71,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_envelope,
     ix__builtins_fit,
     ix__builtins_planar,
+    ix__builtins_arrange,
     ix__builtins_layout,
     ix__builtins_volume,
     ix__builtins_contact,
