@@ -39,10 +39,24 @@ typedef struct {
  *       other cuts out of the unit sphere
  *   cylinders and cones: the planes through axis and ruling of both, and equal
  *       distances from both tangent planes
- *   two lines                          ix_cbisector3d
+ *   two lines, tori with lines, cylinders and tori of the same (minor) radius:
+ *       ix_cbisector3d of their spines
  *
- * In    a, b   in any order, in any position; a cone with a plane, line or
- *              another cone as said below
+ * Special positions (directions within 1e-9, lengths within 1e-12 of size) have
+ * lower ones:
+ *
+ *   two planes, two lines in one plane, a line and a point on it: planes
+ *   parallel lines and cylinders: a hyperbolic cylinder if they are apart, or a
+ *       plane for one radius, an elliptic one if one is inside the other, both
+ *       if they intersect; to the nearest feet
+ *   a plane and a line, cylinder, ruling of a cone parallel to it: parabolic
+ *       cylinders, of which some may be planes
+ *   cylinders and cones around one axis: cones, cylinders, planes
+ *   cones that open the same way with one angle: a plane or a hyperbolic
+ *       cylinder if neither apex is inside the other cone; a quartic of degree
+ *       (2, 2) with the points that are inside one of them
+ *
+ * In    a, b   in any order, in any position
  *       size   > 0: how far unbounded primitives (from pos, both ways) or the
  *              bisecting cone (from its apex) go
  *       o      IX_FORM_IRIT: in pairs with a sphere, and cones with one apex,
@@ -50,14 +64,12 @@ typedef struct {
  *              spheres: outside; cones: |a1 - a2|). Else that of the actual
  *              position. Degrees are those of minimal forms, reduced
  * Out   *out   one or two surfaces (both nappes of a cone, one on each side of
- * a plane); ix_crvs_free Err   IX_EARG    size, radius, angle, direction out of
- * range; a pair that is not offered: plane/plane, plane/torus, line/torus,
- *                  torus/torus, cylinder/torus, cone/torus; a line and a cone
- *                  whose apex is not on it
- *       IX_EDOMAIN parallel axes; a plane parallel to a ruling of a cone; the
- *                  same apex and point, or other positions without a bisector
- *                  surface (the message names them)
- * Src   Dutta & Hoffmann 1993; spec of IRIT's BSCT functions */
+ *              a plane, both signs of a special position); ix_crvs_free
+ * Err   IX_EARG    size, radius, angle, direction out of range; a torus with a
+ *                  plane or a cone, or with a line, cylinder or torus of
+ * another radius IX_EDOMAIN both are the same; the same apex and point; other
+ * positions without a bisector surface (the message names them) Src   Dutta &
+ * Hoffmann 1993; spec of IRIT's BSCT functions */
 ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
                            double size, const ix_op_opts *o,
                            ix_crvs *out) IX_MUST_CHECK;

@@ -100,6 +100,9 @@ PAIR(bscttrsspr, TORUS, "pdmr", SPHERE, "pr")
 PAIR(bsctcylcyl, CYLINDER, "pdr", CYLINDER, "pdr")
 PAIR(bsctconcyl, CONE, "pda", CYLINDER, "pdr")
 PAIR(bsctconcn2, CONE, "pda", CONE, "pda")
+PAIR(bsctplnpln, PLANE, "pd", PLANE, "pd")
+PAIR(bscttrscyl, TORUS, "pdmr", CYLINDER, "pdr")
+PAIR(bscttrstrs, TORUS, "pdmr", TORUS, "pdmr")
 
 /* --- table -----------------------------------------------------------------
  */
@@ -141,7 +144,8 @@ const ix_builtin ix__builtins_prim[] = {
      "Bisector of a sphere and the plane z = 0.",
      "b = bsctsprpl(point(0.5, 0, 2), 0.6, 1);", bsctsprpl, 0, 21},
     {"BSCTCYLPL", "pos:pt3 dir:pt3 rad:num size:num -> list|surface",
-     "Bisector of a cylinder and the plane z = 0: both nappes.",
+     "Bisector of a cylinder and the plane z = 0: one surface on each side of "
+     "the plane; of a parallel axis parabolic cylinders.",
      "l = bsctcylpl(point(0.3, 0, 2), vector(0, 0.2, 1), 0.4, 2);", bsctcylpl,
      0, 21},
     {"BSCTCONPL", "apex:pt3 dir:pt3 ang:num size:num -> list|surface",
@@ -177,7 +181,8 @@ const ix_builtin ix__builtins_prim[] = {
      "0), 0.3);",
      bscttrsspr, 0, 21},
     {"BSCTCYLCYL", "p1:pt3 d1:pt3 r1:num p2:pt3 d2:pt3 r2:num -> surface|list",
-     "Bisector of two cylinders. Over [0, 1]^2, a circle of each.",
+     "Bisector of two cylinders. Over [0, 1]^2, a circle of each; of parallel "
+     "axes a plane, a hyperbolic, an elliptic cylinder, or two of them.",
      "b = bsctcylcyl(point(0, 0, 0), vector(0, 0, 1), 0.3, point(2, 0, 0), "
      "vector(0, 1, 0), 0.3);",
      bsctcylcyl, 0, 21},
@@ -193,4 +198,25 @@ const ix_builtin ix__builtins_prim[] = {
      "b = bsctconcn2(point(0, 0, 0), vector(0, 0, 1), 20, point(3, 0, 0), "
      "vector(0, 1, 1), 20);",
      bsctconcn2, 0, 21},
+    {"BSCTPLNPLN", "p1:pt3 n1:pt3 p2:pt3 n2:pt3 size:num -> list|surface",
+     "Bisector of two planes, given by points and normals: both planes between "
+     "them, or the one halfway if they are parallel.",
+     "l = bsctplnpln(point(0, 0, 0), vector(0, 0, 1), point(0, 0, 1), "
+     "vector(1, 0, 1), 2);",
+     bsctplnpln, 0, 21},
+    {"BSCTTRSCYL",
+     "pos:pt3 dir:pt3 major:num minor:num pt:pt3 cdir:pt3 rad:num size:num -> "
+     "surface|list",
+     "Bisector of a torus and a cylinder of the same (minor) radius: that of "
+     "circle and axis.",
+     "b = bscttrscyl(point(0, 0, 0), vector(0, 0, 1), 1, 0.2, point(0.5, 0, "
+     "1), vector(0, 1, 0), 0.2, 2);",
+     bscttrscyl, 0, 21},
+    {"BSCTTRSTRS",
+     "pos1:pt3 dir1:pt3 major1:num minor1:num pos2:pt3 dir2:pt3 major2:num "
+     "minor2:num -> surface|list",
+     "Bisector of two tori of the same minor radius: that of their circles.",
+     "b = bscttrstrs(point(0, 0, 0), vector(0, 0, 1), 1, 0.2, point(2, 0, 1), "
+     "vector(1, 0, 0), 1, 0.2);",
+     bscttrstrs, 0, 21},
     {0}};

@@ -5,6 +5,7 @@
  * apex of the first; the sign depends on whether one is inside the other. */
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "geom/angle.h"
 #include "geom/crvs.h"
@@ -37,6 +38,17 @@ static ix_status deliver(ix_ctx *ctx, task *k, int n, ix_mv *const *s)
     }
     if (st != IX_OK)
         ix_crvs_free(ctx, k->out);
+    return st;
+}
+
+/* Takes over the surfaces of a special position. */
+static ix_status deliver_set(ix_ctx *ctx, task *k, ix__prim_set *s,
+                             ix_status st)
+{
+    if (st == IX_OK)
+        return deliver(ctx, k, s->n, s->srf);
+    for (int i = 0; i < s->n; i++)
+        ix_mv_unref(ctx, s->srf[i]);
     return st;
 }
 
@@ -94,18 +106,28 @@ static ix_status circle_of(ix_ctx *ctx, const ix_prim *p, ix_mv **out)
     return st;
 }
 
+/* The axis of a line or cylinder, the circle inside a torus. */
+static ix_status spine_of(ix_ctx *ctx, const ix_prim *p, double size,
+                          ix_mv **out)
+{
+    return p->kind == IX_PRIM_TORUS ? circle_of(ctx, p, out)
+                                    : line_segment(ctx, p, size, out);
+}
+
 /* A line, or the circle that a torus of minor radius 0 is, and a point. */
 static ix_status curve_point(ix_ctx *ctx, task *k, const ix_prim *p,
                              const double q[3])
 {
     ix_ruling r = {IX_RULING_PLANES, {-k->size, k->size}, {0, 0, 0}};
+    ix__prim_set set = {.n = 0};
     ix_mv *c, *s;
     ix_status st;
 
-    if (p->kind == IX_PRIM_TORUS)
-        IX_TRY(circle_of(ctx, p, &c));
-    else
-        IX_TRY(line_segment(ctx, p, k->size, &c));
+    if (p->kind != IX_PRIM_TORUS)
+        IX_TRY(ix__prim_line_point(ctx, p, q, k->size, &set));
+    if (set.n > 0)
+        return deliver_set(ctx, k, &set, IX_OK);
+    IX_TRY(spine_of(ctx, p, k->size, &c));
     st = ix_pt_crv_bisector3d(ctx, c, q, 0.5, &r, NULL, NULL, &s);
     ix_mv_unref(ctx, c);
     IX_TRY(st);
@@ -211,11 +233,6 @@ static double angle_between(const double a[3], const double b[3])
     return IX__DEG(atan2(ix__len3(c), ix__dot3(a, b)));
 }
 
-static bool same_point(const task *k, const double p[3], const double q[3])
-{
-    return ix__dist3(p, q) <= 1e-12 * (k->size + ix__len3(p) + ix__len3(q));
-}
-
 /* The plane between the axes of cones with one apex and one angle. */
 static ix_status equal_cones(ix_ctx *ctx, task *k)
 {
@@ -246,31 +263,30 @@ static ix_status cone_cone(ix_ctx *ctx, task *k)
                         : apex_pair(ctx, k, a->pos, a->dir, angle, b->dir);
 }
 
-static ix_status line_cone(ix_ctx *ctx, task *k)
-{
-    double z;
-
-    if (off_axis(&k->b, k->a.pos, &z) > 1e-12 * (k->size + fabs(z)))
-        return IX_FAIL(ctx, IX_EARG,
-                       "the line misses the apex of the cone: only lines "
-                       "through it are offered");
-    return apex_pair(ctx, k, k->a.pos, k->a.dir, k->a.degrees, k->b.dir);
-}
-
 /* The plane and a line that meets it. */
 static ix_status plane_line(ix_ctx *ctx, task *k, const ix_prim *plane,
                             const ix_prim *line)
 {
     double r[3], apex[3], slope = ix__dot3(plane->dir, line->dir);
 
-    if (!(fabs(slope) > 1e-9))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the axis is parallel to the plane (sine %.3g): the "
-                       "bisector is a parabolic cylinder or a plane",
-                       slope);
     ix__sub3(plane->pos, line->pos, r);
     ix__axpy3(line->pos, ix__dot3(r, plane->dir) / slope, line->dir, apex);
     return apex_pair(ctx, k, apex, plane->dir, 90.0, line->dir);
+}
+
+/* The plane and a line or cylinder parallel to it. */
+static ix_status plane_axis(ix_ctx *ctx, task *k, const ix_prim *plane,
+                            const ix_prim *axis)
+{
+    ix__prim_set s = {.n = 0};
+
+    return deliver_set(ctx, k, &s,
+                       ix__prim_axis_plane(ctx, axis, plane, k->size, &s));
+}
+
+static bool along(const ix_prim *plane, const ix_prim *axis)
+{
+    return !(fabs(ix__dot3(plane->dir, axis->dir)) > IX__PARALLEL);
 }
 
 /* One surface on each side of the plane: that side's nappe of the bisector of
@@ -282,6 +298,8 @@ static ix_status plane_cylinder(ix_ctx *ctx, task *k)
     ix_mv *s[2] = {NULL, NULL};
     ix_status st = IX_OK;
 
+    if (along(plane, cyl))
+        return plane_axis(ctx, k, plane, cyl);
     for (int i = 0; i < 2 && st == IX_OK; i++) {
         ix_prim p = *plane;
         ix_crvs both = {0};
@@ -310,6 +328,26 @@ static ix_status plane_cylinder(ix_ctx *ctx, task *k)
     return st;
 }
 
+/* A plane parallel to a ruling of the cone: with m = n + sin(a) e, at a right
+ * angle to the axis e and of the length cos(a), the distance of the axis is
+ * that of a plane with the normal m. */
+static ix_status plane_ruling(ix_ctx *ctx, task *k, const ix_prim *plane,
+                              const ix_prim *cone)
+{
+    double a = IX__RADIANS(cone->degrees), e[3], h;
+    ix_prim axis = {.kind = IX_PRIM_LINE}, other = {.kind = IX_PRIM_PLANE};
+
+    ix__sub3(plane->pos, cone->pos, e);
+    h = ix__dot3(e, plane->dir);
+    ix__axpy3(plane->dir, sin(a), cone->dir, other.dir);
+    ix__axpy3(cone->pos, h / ix__dot3(other.dir, other.dir), other.dir,
+              other.pos);
+    (void)ix__unit3(other.dir, other.dir);
+    memcpy(axis.pos, cone->pos, sizeof axis.pos);
+    memcpy(axis.dir, cone->dir, sizeof axis.dir);
+    return plane_axis(ctx, k, &other, &axis);
+}
+
 /* Plane and cone are moved inwards alike until the apex is in the plane; with
  * the plane as the cone of 90 degrees around its normal, angles add up. */
 static ix_status plane_cone(ix_ctx *ctx, task *k)
@@ -320,23 +358,31 @@ static ix_status plane_cone(ix_ctx *ctx, task *k)
 
     (void)off_axis(plane, cone->pos, &z);
     slope = 1.0 + ix__dot3(plane->dir, cone->dir) / s;
-    if (!(fabs(slope) > 1e-9))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the plane is parallel to a ruling of the cone");
+    if (!(fabs(slope) > IX__PARALLEL))
+        return plane_ruling(ctx, k, plane, cone);
     ix__axpy3(cone->pos, -z / slope / s, cone->dir, apex);
     return apex_pair(ctx, k, apex, plane->dir, 90.0 + cone->degrees, cone->dir);
+}
+
+static ix_status planes(ix_ctx *ctx, task *k)
+{
+    ix__prim_set s = {.n = 0};
+
+    return deliver_set(ctx, k, &s,
+                       ix__prim_two_planes(ctx, &k->a, &k->b, k->size, &s));
 }
 
 /* --- which ------------------------------------------------------------------
  */
 
-static ix_status lines(ix_ctx *ctx, task *k)
+/* Two curves, of which a and b are canal surfaces of one radius. */
+static ix_status spines(ix_ctx *ctx, task *k)
 {
     ix_mv *c[2] = {NULL, NULL}, *s = NULL;
-    ix_status st = line_segment(ctx, &k->a, k->size, &c[0]);
+    ix_status st = spine_of(ctx, &k->a, k->size, &c[0]);
 
     if (st == IX_OK)
-        st = line_segment(ctx, &k->b, k->size, &c[1]);
+        st = spine_of(ctx, &k->b, k->size, &c[1]);
     if (st == IX_OK)
         st = ix_cbisector3d(ctx, c[0], c[1], &k->opts, NULL, &s);
     ix_mv_unref(ctx, c[0]);
@@ -344,54 +390,95 @@ static ix_status lines(ix_ctx *ctx, task *k)
     return st == IX_OK ? deliver(ctx, k, 1, &s) : st;
 }
 
-/* A line is a cylinder of radius 0. */
-static ix_status tangents(ix_ctx *ctx, task *k)
+static ix_status lines(ix_ctx *ctx, task *k)
 {
-    ix_mv *s;
+    ix__prim_set s = {.n = 0};
+    ix_status st = ix__prim_flat_lines(ctx, &k->a, &k->b, k->size, &s);
 
-    IX_TRY(ix__prim_tangents(ctx, &k->a, &k->b, &s));
-    return deliver(ctx, k, 1, &s);
+    return st == IX_OK && s.n == 0 ? spines(ctx, k)
+                                   : deliver_set(ctx, k, &s, st);
+}
+
+/* A torus, and a line, cylinder or torus: spheres of one radius roll along
+ * both spines. */
+static ix_status with_torus(ix_ctx *ctx, task *k)
+{
+    double gap = fabs(k->a.radius - k->b.radius);
+
+    if (k->b.kind != IX_PRIM_LINE && k->b.kind != IX_PRIM_CYLINDER &&
+        k->b.kind != IX_PRIM_TORUS)
+        return IX_FAIL(ctx, IX_EARG,
+                       "a torus with a plane or a cone is not offered");
+    if (!(gap <= IX__ONE_POINT * k->size))
+        return IX_FAIL(ctx, IX_EARG,
+                       "radii of %g and %g: of a torus and a line, cylinder or "
+                       "torus only those of one radius have a rational "
+                       "bisector, that of their spines",
+                       k->a.radius, k->b.radius);
+    return spines(ctx, k);
+}
+
+/* Lines (cylinders of radius 0), cylinders and cones. */
+static ix_status axes(ix_ctx *ctx, task *k)
+{
+    const ix_prim *a = &k->a, *b = &k->b;
+    bool cones = a->kind == IX_PRIM_CONE && b->kind == IX_PRIM_CONE,
+         parallel = ix__prim_parallel(a->dir, b->dir);
+    ix__prim_set s = {.n = 0};
+    ix_status st;
+
+    if (a->kind != IX_PRIM_CONE && parallel)
+        st = ix__prim_parallel_axes(ctx, a, b, k->size, &s);
+    else if (ix__prim_is_coaxial(a, b, k->size))
+        st = ix__prim_coaxial(ctx, a, b, k->size, &s);
+    else if (cones && parallel && ix__dot3(a->dir, b->dir) > 0 &&
+             !(fabs(a->degrees - b->degrees) > IX__DEG(IX__PARALLEL)))
+        st = ix__prim_equal_cones(ctx, a, b, k->size, &s);
+    else {
+        st = ix__prim_tangents(ctx, a, b, &s.srf[0]);
+        s.n = st == IX_OK;
+    }
+    return deliver_set(ctx, k, &s, st);
 }
 
 static ix_status with_line(ix_ctx *ctx, task *k)
 {
-    switch (k->a.kind) {
-    case IX_PRIM_LINE:
+    double z;
+
+    if (k->a.kind == IX_PRIM_LINE)
         return lines(ctx, k);
-    case IX_PRIM_PLANE:
+    if (k->a.kind == IX_PRIM_PLANE && along(&k->a, &k->b))
+        return plane_axis(ctx, k, &k->a, &k->b);
+    if (k->a.kind == IX_PRIM_PLANE)
         return plane_line(ctx, k, &k->a, &k->b);
-    case IX_PRIM_CONE:
-        return line_cone(ctx, k);
-    default:
-        return IX_FAIL(ctx, IX_EARG,
-                       "the bisector of a line and a torus is "
-                       "not offered");
-    }
+    if (k->a.kind == IX_PRIM_CONE &&
+        ix__prim_touch(off_axis(&k->b, k->a.pos, &z), k->a.pos, k->b.pos,
+                       k->size))
+        return apex_pair(ctx, k, k->a.pos, k->a.dir, k->a.degrees, k->b.dir);
+    return axes(ctx, k);
 }
 
-/* b is a point, a line or a sphere, or a is none of them. */
+/* a is not of a lower rank than b. */
 static ix_status reduce(ix_ctx *ctx, task *k)
 {
-    bool axes = k->a.kind >= IX_PRIM_CYLINDER && k->a.kind <= IX_PRIM_CONE;
-
     if (k->b.kind == IX_PRIM_POINT)
         return with_point(ctx, k, &k->a, k->b.pos);
     if (k->b.kind == IX_PRIM_SPHERE)
         return with_sphere(ctx, k);
-    if (k->b.kind == IX_PRIM_LINE && k->a.kind != IX_PRIM_CYLINDER)
+    if (k->a.kind == IX_PRIM_TORUS)
+        return with_torus(ctx, k);
+    if (k->b.kind == IX_PRIM_LINE)
         return with_line(ctx, k);
-    if (k->b.kind == IX_PRIM_PLANE && k->a.kind == IX_PRIM_CYLINDER)
-        return plane_cylinder(ctx, k);
-    if (k->b.kind == IX_PRIM_PLANE && k->a.kind == IX_PRIM_CONE)
-        return plane_cone(ctx, k);
-    if (!axes || k->b.kind == IX_PRIM_PLANE)
-        return IX_FAIL(ctx, IX_EARG,
-                       "this pair of primitives (%d, %d) is not offered",
-                       (int)k->a.kind, (int)k->b.kind);
+    if (k->a.kind == IX_PRIM_PLANE)
+        return planes(ctx, k);
+    if (k->b.kind == IX_PRIM_PLANE)
+        return k->a.kind == IX_PRIM_CYLINDER ? plane_cylinder(ctx, k)
+                                             : plane_cone(ctx, k);
     if (k->a.kind == IX_PRIM_CONE && k->b.kind == IX_PRIM_CONE &&
-        same_point(k, k->a.pos, k->b.pos))
+        ix__prim_touch(ix__dist3(k->a.pos, k->b.pos), k->a.pos, k->b.pos,
+                       k->size))
         return cone_cone(ctx, k);
-    return tangents(ctx, k);
+    return axes(ctx, k);
 }
 
 /* --- entry ------------------------------------------------------------------

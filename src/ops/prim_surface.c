@@ -16,8 +16,8 @@ ix_status ix__prim_axes(ix_ctx *ctx, const ix_prim *p, ix_prim_axes *out)
     return IX_OK;
 }
 
-static ix_status place(ix_ctx *ctx, const ix_prim *p, const ix_mv *local,
-                       ix_mv **out)
+ix_status ix__prim_place(ix_ctx *ctx, const ix_prim *p, const ix_mv *local,
+                         ix_mv **out)
 {
     ix_prim_axes a = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double m[16] = {0};
@@ -111,7 +111,7 @@ ix_status ix__prim_surface(ix_ctx *ctx, const ix_prim *p, double size,
         ix_mv_unref(ctx, g);
         IX_TRY(st);
     }
-    st = place(ctx, p, s, out);
+    st = ix__prim_place(ctx, p, s, out);
     ix_mv_unref(ctx, s);
     return st;
 }

@@ -331,9 +331,9 @@ static void skew_lines_at_an_angle(void **state)
 
 /* Elber and Kim's equations (8), (9): the unit circle C and its axis (0, 0, t)
  * have the bisector ((1 + t^2) / 2 C(s), t), of degree (2, 2). The minimal form
- * has (6, 2) and the common factor of its position, (1 + s^2)^2, which the
- * reduction divides out: for the paper's half of the circle and for the whole
- * one in four arcs. */
+ * has (6, 2) and the common factor (1 + s^2)^2 of every circle, |C|^2 being
+ * w^2, which the reduction divides out: for the paper's half of the circle and
+ * for the whole one in four arcs. */
 static void circle_and_axis(void **state)
 {
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);

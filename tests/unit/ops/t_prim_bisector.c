@@ -145,7 +145,7 @@ static void equal_distances(void **state)
         if (st != IX_OK) {
             if (st != IX_EARG) /* not offered */
                 fail_msg("kinds %d and %d: %s", ka, kb, ix_ctx_message(ctx));
-            assert_true(ka == kb || ka == IX_PRIM_TORUS || kb == IX_PRIM_TORUS);
+            assert_true(ka == IX_PRIM_TORUS || kb == IX_PRIM_TORUS);
             assert_null(s.crv);
             continue;
         }
@@ -217,6 +217,150 @@ static void coaxial(void **state)
     }
 }
 
+/* --- special positions ------------------------------------------------------
+ */
+
+enum { PT, LN, PL, SP, CY, CO, TO };
+
+/* Local coordinates: positions, and directions along z ('d': against it), or
+ * x. What is expected: surfaces, and the orders of the first in u and v. */
+static const struct {
+    struct {
+        int kind;
+        double pos[3], radius, degrees;
+        char along;
+    } p[2];
+    int n, order[2];
+} special[] = {
+    /* cylinders with parallel axes: apart, inside, crossing, coaxial */
+    {{{CY, {0, 0, 0}, .5, 0, 'z'}, {CY, {2, 0, 1}, .5, 0, 'z'}}, 1, {2, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {CY, {3, 1, 0}, .4, 0, 'z'}}, 1, {3, 2}},
+    {{{CY, {0, 0, 0}, .4, 0, 'z'}, {CY, {3, 1, 0}, 1, 0, 'd'}}, 1, {3, 2}},
+    {{{CY, {0, 0, 0}, 2, 0, 'z'}, {CY, {.6, 0, 0}, .5, 0, 'z'}}, 1, {3, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {CY, {1.2, 0, 0}, .8, 0, 'z'}}, 2, {3, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {CY, {1.2, 0, 0}, 1, 0, 'z'}}, 2, {2, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {CY, {0, 0, 2}, .4, 0, 'd'}}, 1, {3, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {LN, {3, 0, 0}, 0, 0, 'z'}}, 1, {3, 2}},
+    {{{CY, {0, 0, 0}, 1, 0, 'z'}, {LN, {0, .2, 0}, 0, 0, 'z'}}, 1, {3, 2}},
+    {{{LN, {0, 0, 0}, 0, 0, 'z'}, {LN, {0, .2, 0}, 0, 0, 'd'}}, 1, {2, 2}},
+    {{{LN, {0, 0, 0}, 0, 0, 'z'}, {LN, {0, 0, 2}, 0, 0, 'x'}}, 2, {2, 2}},
+    /* a plane and what is parallel to it */
+    {{{PL, {0, 0, 0}, 0, 0, 'x'}, {CY, {3, 1, 0}, .5, 0, 'z'}}, 2, {3, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'x'}, {CY, {-.2, 1, 0}, .5, 0, 'd'}}, 2, {3, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'x'}, {CY, {-.5, 1, 0}, .5, 0, 'z'}}, 2, {2, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'x'}, {LN, {2, 1, 0}, 0, 0, 'z'}}, 1, {3, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'x'}, {LN, {0, 1, 0}, 0, 0, 'z'}}, 1, {2, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'z'}, {PL, {1, 1, 2}, 0, 0, 'd'}}, 1, {2, 2}},
+    {{{PL, {0, 0, 0}, 0, 0, 'z'}, {PL, {1, 1, 2}, 0, 0, 'x'}}, 2, {2, 2}},
+    /* around one axis */
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {0, 0, 1}, 0, 20, 'z'}}, 2, {3, 2}},
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {0, 0, 1}, 0, 30, 'z'}}, 1, {3, 2}},
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {0, 0, 1}, 0, 30, 'd'}}, 2, {3, 2}},
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CY, {0, 0, 1}, 1, 0, 'd'}}, 2, {3, 2}},
+    /* cones of one angle: apexes level, one higher, one inside the other */
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {1, 0, 0}, 0, 30, 'z'}}, 2, {2, 2}},
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {1, 0, 1}, 0, 30, 'z'}}, 2, {3, 2}},
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {CO, {.2, 0, 1}, 0, 30, 'z'}}, 1, {3, 3}},
+    {{{CO, {0, 0, 0}, 0, 10, 'z'}, {CO, {2, 0, 1}, 0, 10, 'z'}}, 1, {3, 2}},
+    /* a line that misses the apex */
+    {{{CO, {0, 0, 0}, 0, 30, 'z'}, {LN, {.5, 0, 0}, 0, 0, 'z'}}, 1, {3, 3}},
+    {{{LN, {0, 0, 0}, 0, 0, 'z'}, {PT, {0, 0, .5}, 0, 0, 'z'}}, 1, {2, 2}},
+    /* spheres of one radius along both spines */
+    {{{TO, {0, 0, 0}, .3, 0, 'z'}, {CY, {.5, .2, 1}, .3, 0, 'x'}}, 1, {3, 3}},
+    {{{TO, {0, 0, 0}, .3, 0, 'z'}, {TO, {.5, .2, 1}, .3, 0, 'x'}}, 1, {3, 3}},
+    {{{TO, {0, 0, 0}, 0, 0, 'z'}, {LN, {.5, .2, 1}, 0, 0, 'x'}}, 1, {3, 3}},
+};
+
+/* The local axes at a random place. */
+static ix_prim placed(int i, int j, double axes[4][3])
+{
+    ix_prim p = {.kind = (ix_prim_kind)special[i].p[j].kind,
+                 .radius = special[i].p[j].radius,
+                 .degrees = special[i].p[j].degrees,
+                 .major = 1.2};
+    char along = special[i].p[j].along;
+
+    for (int k = 0; k < 3; k++) {
+        p.pos[k] = axes[3][k];
+        for (int l = 0; l < 3; l++)
+            p.pos[k] += special[i].p[j].pos[l] * axes[l][k];
+        p.dir[k] = along == 'x'   ? axes[0][k]
+                   : along == 'd' ? -2 * axes[2][k]
+                                  : axes[2][k];
+    }
+    return p;
+}
+
+/* Law: equal distances in special positions too, as many surfaces as said and
+ * in the degrees of the quadric; parallel cylinders to the nearest feet. */
+static void special_positions(void **state)
+{
+    (void)state;
+    for (int i = 0; i < (int)(sizeof special / sizeof *special); i++)
+        for (int swap = 0; swap < 2; swap++) {
+            double axes[4][3], v[3];
+            ix_prim a, b;
+            ix_crvs s;
+
+            rand_vec(axes[3], 2);
+            rand_vec(v, 1);
+            (void)ix__unit3(v, axes[2]);
+            ix__perp3(axes[2], axes[0]);
+            ix__cross3(axes[2], axes[0], axes[1]);
+            a = placed(i, swap, axes);
+            b = placed(i, !swap, axes);
+            if (ix_prim_bisector(ctx, &a, &b, 4.0, NULL, &s) != IX_OK)
+                fail_msg("case %d: %s", i, ix_ctx_message(ctx));
+            if (s.n != special[i].n)
+                fail_msg("case %d: %d surfaces", i, s.n);
+            if (ix_mv_order(s.crv[0], 0) != special[i].order[0] ||
+                ix_mv_order(s.crv[0], 1) != special[i].order[1])
+                fail_msg("case %d: orders %d and %d", i,
+                         ix_mv_order(s.crv[0], 0), ix_mv_order(s.crv[0], 1));
+            if (check_points(&a, &b, &s, 1e-9) == 0)
+                fail_msg("case %d: no point", i);
+            for (int k = 0;
+                 a.kind == IX_PRIM_CYLINDER && a.kind == b.kind && k < 9 * s.n;
+                 k++) {
+                double dom[2][2], t[2], x[3], da[2], db[2];
+
+                for (int l = 0; l < 2; l++) {
+                    ix_mv_domain(s.crv[k / 9], l, dom[l]);
+                    t[l] = dom[l][0] + (dom[l][1] - dom[l][0]) *
+                                           ((l ? k % 3 : k / 3 % 3) + 0.4) / 3;
+                }
+                ASSERT_OK(ctx, ix_mv_point(ctx, s.crv[k / 9], t, x));
+                (void)distances(&a, x, da);
+                (void)distances(&b, x, db);
+                ASSERT_CLOSE(da[0], db[0], 1e-11);
+            }
+            ix_crvs_free(ctx, &s);
+        }
+}
+
+/* Plane z = 0 and the cone that opens along (cos a, 0, sin a) turned so that a
+ * ruling is parallel to the plane: on the other side a parabolic cylinder. */
+static void plane_and_ruling(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        ix_prim plane = {.kind = IX_PRIM_PLANE, .dir = {0, 0, -1}},
+                cone = {.kind = IX_PRIM_CONE, .degrees = 20 + 5 * i};
+        double a = IX__RADIANS(cone.degrees);
+        ix_crvs s;
+
+        cone.dir[0] = cos(a);
+        cone.dir[2] = sin(a);
+        cone.pos[1] = i;
+        cone.pos[2] = i % 4; /* 0: the apex in the plane */
+        ASSERT_OK(ctx, ix_prim_bisector(ctx, &plane, &cone, 2, NULL, &s));
+        assert_int_equal(s.n, 1);
+        assert_int_equal(ix_mv_order(s.crv[0], 0), i % 4 ? 3 : 2);
+        assert_true(check_points(&plane, &cone, &s, 1e-9) > 0);
+        ix_crvs_free(ctx, &s);
+    }
+}
+
 static void expect(const ix_prim *a, const ix_prim *b, double size,
                    ix_status st, const char *text)
 {
@@ -237,28 +381,32 @@ static void refused(void **state)
                  .pos = {4, 0, 0}};
 
     (void)state;
-    expect(&a, &b, 2, IX_EDOMAIN, "axes are parallel");
+    expect(&a, &a, 2, IX_EDOMAIN, "both are one cylinder");
     expect(&a, &b, 0, IX_EARG, "a size of 0");
     b.kind = IX_PRIM_PLANE;
-    b.dir[0] = 1, b.dir[2] = 0;
-    expect(&a, &b, 2, IX_EDOMAIN, "parallel to the plane");
-    expect(&b, &b, 2, IX_EARG, "not offered");
+    expect(&b, &b, 2, IX_EDOMAIN, "both are one plane");
+    b.kind = IX_PRIM_LINE;
+    expect(&b, &b, 2, IX_EDOMAIN, "both are one line");
     b.kind = IX_PRIM_CONE;
     b.degrees = 90;
     expect(&a, &b, 2, IX_EARG, "an angle of 90 degrees");
     b.degrees = 30;
-    a.kind = IX_PRIM_LINE;
-    expect(&a, &b, 2, IX_EARG, "misses the apex");
-    a.kind = IX_PRIM_PLANE;
-    a.dir[0] = 0.5, a.dir[2] = 0;
-    b.dir[0] = -sin(IX__RADIANS(30)), b.dir[2] = cos(IX__RADIANS(30));
-    expect(&a, &b, 2, IX_EDOMAIN, "parallel to a ruling");
     expect(&b, &b, 2, IX_EDOMAIN, "both are one cone");
+    a = b;
+    a.pos[0] += 1;
+    a.pos[2] = 9; /* inside b, and tan 30 < 1 below the middle */
+    expect(&a, &b, 0.5, IX_EDOMAIN, "inside the other up to the height 0.5");
+    a = (ix_prim){
+        .kind = IX_PRIM_TORUS, .dir = {0, 0, 1}, .radius = 0.1, .major = 1};
+    expect(&a, &b, 2, IX_EARG, "a torus with a plane or a cone");
+    b.kind = IX_PRIM_CYLINDER;
+    expect(&a, &b, 2, IX_EARG, "radii of 0.1 and 0.5");
     a.kind = IX_PRIM_SPHERE;
     a.radius = -1;
     expect(&a, &b, 2, IX_EARG, "a radius of -1");
     a.kind = IX_PRIM_TORUS;
     a.radius = 0.1;
+    a.major = 0;
     expect(&a, &b, 2, IX_EARG, "a major radius of 0");
     a.kind = IX_PRIM_POINT;
     expect(&a, &a, 2, IX_EDOMAIN, "both are one point");
@@ -294,7 +442,21 @@ static ix_status call(ix_ctx *own, void *state)
          {.kind = IX_PRIM_CONE,
           .pos = {3, 0, 0},
           .dir = {0, 1, 0},
-          .degrees = 9}}};
+          .degrees = 9}},
+        {{.kind = IX_PRIM_CYLINDER, .dir = {0, 0, 1}, .radius = 1},
+         {.kind = IX_PRIM_CYLINDER,
+          .pos = {1, 0, 0},
+          .dir = {0, 0, 1},
+          .radius = 0.8}},
+        {{.kind = IX_PRIM_CONE, .dir = {0, 0, 1}, .degrees = 30},
+         {.kind = IX_PRIM_CONE,
+          .pos = {1, 0, 1},
+          .dir = {0, 0, 1},
+          .degrees = 30}},
+        {{.kind = IX_PRIM_CONE, .dir = {0, 0, 1}, .degrees = 30},
+         {.kind = IX_PRIM_CYLINDER, .dir = {0, 0, 1}, .radius = 1}},
+        {{.kind = IX_PRIM_PLANE, .dir = {1, 0, 0}},
+         {.kind = IX_PRIM_PLANE, .dir = {0, 0, 1}}}};
     operands *o = state;
 
     return ix_prim_bisector(own, &p[o->which][0], &p[o->which][1], 2, NULL,
@@ -309,7 +471,7 @@ static void release(ix_ctx *own, void *state)
 static void memory_may_fail(void **state)
 {
     (void)state;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 8; i++) {
         operands o = {.which = i};
         ix_fault_case c = {make, call, release, &o};
 
@@ -320,8 +482,9 @@ static void memory_may_fail(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_distances), cmocka_unit_test(irit_offsets),
-        cmocka_unit_test(coaxial),         cmocka_unit_test(refused),
+        cmocka_unit_test(equal_distances),  cmocka_unit_test(irit_offsets),
+        cmocka_unit_test(coaxial),          cmocka_unit_test(special_positions),
+        cmocka_unit_test(plane_and_ruling), cmocka_unit_test(refused),
         cmocka_unit_test(memory_may_fail),
     };
 
