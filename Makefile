@@ -19,7 +19,7 @@ Q       := $(if $(filter 1,$(V)),,@)
 # --- packages ----------------------------------------------------------------
 # Missing Debian packages are installed once, before anything else is looked at:
 # make remakes this included stamp and starts again.
-PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev libxml2-utils libedit-dev libcmocka-dev libflint-dev libcairo2-dev libsundials-dev python3
+PACKAGES := build-essential pkg-config zlib1g-dev libxml2-dev liblzma-dev libxml2-utils libedit-dev libcmocka-dev libflint-dev libcairo2-dev libsundials-dev python3
 PKGS     := zlib libxml-2.0
 setup: build/.setup                                 ## install missing Debian packages
 build/.setup: scripts/dev/setup Makefile
