@@ -89,6 +89,30 @@ ix_status ix_srf_fit_points(ix_ctx *ctx, int n, const double *uv, int ncoords,
                             const double *values, const int order[2],
                             const int size[2], ix_mv **out) IX_MUST_CHECK;
 
+/* The same for any number of directions: count, order, size [ndirs]. */
+ix_status ix_mv_fit_grid(ix_ctx *ctx, int ndirs, const int *count, int ncoords,
+                         bool rational, const double *pts, const int *order,
+                         const int *size, ix_mv **out) IX_MUST_CHECK;
+/* n points with parameters double[ndirs][n] and values double[ncoords][n]. */
+typedef struct {
+    int ndirs, n;
+    const double *params;
+    int ncoords;
+    const double *values;
+} ix_cloud;
+ix_status ix_mv_fit_points(ix_ctx *ctx, const ix_cloud *c, const int *order,
+                           const int *size, ix_mv **out) IX_MUST_CHECK;
+/* The freeform whose values at m's nodes (Greville abscissae) are m's control
+ * points, with m's bases, orders and knots; or nearest to them where order or
+ * size [ndirs] (0: as m's) are others, then open B-splines over m's domain with
+ * the knots of ix_params_knots. Rational: in homogeneous coordinates.
+ *
+ * Err   IX_EARG order <= size <= m's length is not so, or another order or size
+ *       where m is periodic or float; IX_EDOMAIN the nodes do not determine the
+ *       control points (two nodes are one: a knot as often as the order) */
+ix_status ix_mv_fit_nodes(ix_ctx *ctx, const ix_mv *m, const int *order,
+                          const int *size, ix_mv **out) IX_MUST_CHECK;
+
 /* --- ruled surfaces near others ---------------------------------------- */
 
 /* How to fit one ruled surface. */

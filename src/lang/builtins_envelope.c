@@ -208,11 +208,6 @@ const ix_builtin ix__builtins_envelope[] = {
     ABSENT("SVISIBLE", "s:surface resolution:num coneDeg:num -> list",
            "Divides a surface into parts that one direction sees",
            S "l = svisible(s, 10, 0.5);", 13),
-    ABSENT("TINTERP",
-           "t:trivar|list ul:num vl:num wl:num uo:num vo:num wo:num -> "
-           "trivar",
-           "Interpolates by a trivariate (see TINTPSRFS)",
-           FIELD "x = tinterp(t, 0, 0, 0, 0, 0, 0);", 15),
     ABSENT("TRMSRFS", "s:surface contours:curve|poly|list -> list",
            "Divides a surface along curves (see TRIMSRF)",
            S C "l = trmsrfs(s, c);", 14),
