@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/connect.h"
 #include "geom/vec3.h"
 #include "lang/args_freeform.h"
 #include "lang/poly_rows.h"
@@ -324,17 +325,66 @@ static ix_status mergeplln(ix_call *c)
     return chain_all(c, pieces, at, ix__arg_num(c, 1));
 }
 
-/* Each point is a polyline of one vertex, then as above. */
+/* --- points ------------------------------------------------------------- */
+
+/* Polylines through chains of points double[n][dim]: `use` coordinates from the
+ * skip-th on, the others 0. */
+static ix_status chain_polys(ix_ctx *ctx, const ix__chains *ch, int dim,
+                             const double *p, int skip, int use, ix_poly **out)
+{
+    const int *point = ch->point;
+
+    *out = ix__poly_new(ctx, ch->n);
+    if (!*out)
+        return IX_ENOMEM;
+    for (int k = 0; k < ch->n; k++) {
+        int n = ch->count[k], m = n + ch->closed[k];
+        ix_polygon *pg = &(*out)->poly[k];
+
+        if (ix__poly_vertices(ctx, pg, m) != IX_OK) {
+            ix__poly_unref(ctx, *out);
+            return IX_ENOMEM;
+        }
+        pg->kind = IX_POLYLINE;
+        for (int i = 0; i < m; i++)
+            memcpy(pg->v[i].p, p + (size_t)point[i % n] * (size_t)dim + skip,
+                   (size_t)use * sizeof *p);
+        point += n;
+    }
+    return IX_OK;
+}
+
+/* dim coordinates of a control point, projected; missing ones 0. */
+static ix_status ctlpt_place(ix_call *c, int i, const ix_ctlpt *q, int dim,
+                             double *out)
+{
+    double w = q->rational ? q->v[0] : 1;
+
+    if (w == 0)
+        return IX_ARG_FAIL(c, 0, "element %d has weight 0", i + 1);
+    for (int k = 0; k < dim; k++)
+        out[k] = k < q->ncoords ? q->v[q->rational + k] / w : 0;
+    return IX_OK;
+}
+
+static ix_status tolerance(ix_call *c, double *tol)
+{
+    *tol = ix__arg_num(c, 1);
+    if (!(*tol >= 0))
+        return IX_ARG_FAIL(c, 1, "a tolerance of %g; it cannot be negative",
+                           *tol);
+    return IX_OK;
+}
+
 static ix_status pts2plln(ix_call *c)
 {
     const ix_list *l = &c->argv[0]->u.list;
-    ix_polygon *pg;
-    ix_vertex *v;
-    piece *p;
+    ix_poly *out;
+    ix__chains ch;
+    double *p, tol;
 
-    IX_SCRATCH_ZERO(c->ctx, v, l->n);
-    IX_SCRATCH_ZERO(c->ctx, pg, l->n);
-    IX_SCRATCH_ZERO(c->ctx, p, l->n);
+    IX_TRY(tolerance(c, &tol));
+    IX_SCRATCH_ZERO(c->ctx, p, 3 * (size_t)l->n);
     for (int i = 0; i < l->n; i++) {
         const ix_obj *o = l->item[i];
 
@@ -342,15 +392,65 @@ static ix_status pts2plln(ix_call *c)
             return IX_ARG_FAIL(c, 0, "element %d is a %s, not a point", i + 1,
                                ix__obj_type_name(o->type));
         if (o->type == IX_OBJ_CTLPT)
-            for (int k = 0; k < 3 && k < o->u.ctlpt->ncoords; k++)
-                v[i].p[k] = o->u.ctlpt->v[o->u.ctlpt->rational + k] /
-                            (o->u.ctlpt->rational ? o->u.ctlpt->v[0] : 1);
+            IX_TRY(ctlpt_place(c, i, o->u.ctlpt, 3, p + 3 * i));
         else
-            memcpy(v[i].p, o->u.pt, sizeof v[i].p);
-        pg[i] = (ix_polygon){.kind = IX_POINTLIST, .n = 1, .v = &v[i]};
-        p[i] = (piece){.pg = &pg[i], .next = -1};
+            memcpy(p + 3 * i, o->u.pt, 3 * sizeof *p);
     }
-    return chain_all(c, p, l->n, ix__arg_num(c, 1));
+    IX_TRY(ix__connect(c->ctx, l->n, 3, p, tol, &ch));
+    IX_TRY(chain_polys(c->ctx, &ch, 3, p, 0, 3, &out));
+    return ix__ret(c, ix__obj_poly(c->ctx, out));
+}
+
+/* The points as double[n][*dim], *dim 4 or 6. */
+static ix_status double_places(ix_call *c, int *dim, double **p)
+{
+    const ix_list *l = &c->argv[0]->u.list;
+
+    *dim = l->n > 0 && l->item[0]->type == IX_OBJ_CTLPT
+               ? l->item[0]->u.ctlpt->ncoords
+               : 4;
+    IX_SCRATCH(c->ctx, *p, (size_t)l->n * 6);
+    for (int i = 0; i < l->n; i++) {
+        const ix_obj *o = l->item[i];
+
+        if (o->type != IX_OBJ_CTLPT ||
+            (o->u.ctlpt->ncoords != 4 && o->u.ctlpt->ncoords != 6))
+            return IX_ARG_FAIL(c, 0,
+                               "element %d is no control point of 4 or 6 "
+                               "coordinates",
+                               i + 1);
+        if (o->u.ctlpt->ncoords != *dim)
+            return IX_ARG_FAIL(c, 0, "element %d has %d coordinates, not %d",
+                               i + 1, o->u.ctlpt->ncoords, *dim);
+        IX_TRY(
+            ctlpt_place(c, i, o->u.ctlpt, *dim, *p + (size_t)i * (size_t)*dim));
+    }
+    return IX_OK;
+}
+
+/* Points of two planes, or of two spaces, at once: joined in all coordinates,
+ * told half by half. */
+static ix_status pts2plys(ix_call *c)
+{
+    ix_obj *list;
+    ix__chains ch;
+    ix_status st;
+    double *p, tol;
+    int dim;
+
+    IX_TRY(tolerance(c, &tol));
+    IX_TRY(double_places(c, &dim, &p));
+    IX_TRY(ix__connect(c->ctx, c->argv[0]->u.list.n, dim, p, tol, &ch));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int k = 0; st == IX_OK && k < 2; k++) {
+        ix_poly *half;
+
+        st = chain_polys(c->ctx, &ch, dim, p, k * dim / 2, dim / 2, &half);
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, ix__obj_poly(c->ctx, half));
+    }
+    return ix__ret_list(c, list, st);
 }
 
 /* --- table ------------------------------------------------------------- */
@@ -373,8 +473,17 @@ const ix_builtin ix__builtins_poly[] = {
      "poly(list(point(1,0,0), point(1,1,0)), true)), 1e-6);",
      mergeplln, 0, 23},
     {"PTS2PLLN", "pts:list maxTol:num -> poly",
-     "Points connected to polylines, nearest first, as far as they are within "
-     "maxTol.",
+     "Points without order joined to polylines where they are within maxTol, "
+     "shortest gaps first; a chain whose ends are that near (and not much "
+     "farther apart than its points) is closed.",
      "o = pts2plln(list(point(0,0,0), point(.1,0,0), point(.2,0,0)), 0.15);",
      pts2plln, 0, 23},
+    {"PTS2PLYS", "pts:list tol:num -> list",
+     "The same for control points (u, v, s, t) or (x, y, z, x', y', z'), as "
+     "points of curves in two parameter planes or two spaces: joined in all "
+     "coordinates; list(polylines of the first half, of the second), vertex "
+     "for vertex.",
+     "l = pts2plys(list(ctlpt(E4,0,0,1,1), ctlpt(E4,0.2,0,1,1.2), "
+     "ctlpt(E4,0.1,0,1,1.1)), 0.15);",
+     pts2plys, 0, 23},
     {0}};
