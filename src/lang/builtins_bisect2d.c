@@ -340,10 +340,20 @@ static ix_status bisecteval(ix_call *c)
     const ix_attr *side = ix__attr_find(c->argv[0]->attrs, "Side");
     double t = ix__arg_num(c, 3), foot[2], p[3] = {0, 0, 0}, r;
 
+    if (piece->ncoords != 2)
+        return IX_ARG_FAIL(c, 0,
+                           "a curve of %d coordinates; a piece of a planar "
+                           "bisector, as SEGBISECT gives it, is wanted",
+                           piece->ncoords);
     if (!a || a->type != IX_ATTR_OBJ || a->obj->type != IX_OBJ_CURVE) {
         IX_TRY(ix_mv_point(c->ctx, piece, &t, p));
         return ix__ret(c, ix__obj_point(c->ctx, p));
     }
+    if (ix__obj_first_mv(a->obj)->ncoords != 2)
+        return IX_ARG_FAIL(c, 0,
+                           "its attribute Feet has %d coordinates; a curve of "
+                           "parameters on both curves is wanted",
+                           ix__obj_first_mv(a->obj)->ncoords);
     IX_TRY(ix_mv_point(c->ctx, ix__obj_first_mv(a->obj), &t, foot));
     IX_TRY(ix_bisector_touch(
         c->ctx, ix__arg_mv(c, 1), ix__arg_mv(c, 2),
