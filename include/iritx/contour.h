@@ -21,7 +21,8 @@ ix_status ix_contour(ix_ctx *ctx, const ix_mv *m, const double plane[4],
 ix_status ix_contour_field(ix_ctx *ctx, const ix_mv *m, const double plane[4],
                            ix_mv **out) IX_MUST_CHECK;
 
-/* Where the normal of s is perpendicular to view. */
+/* Where the normal of s is perpendicular to view. Edges that are one point of
+ * s, where there is no normal, are left out, here and below. */
 ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
                         double tol, ix_solution_curves *out) IX_MUST_CHECK;
 

@@ -182,9 +182,10 @@ void ix_meetings_free(ix_ctx *ctx, ix_meetings *m);
 /* --- intersections in space ------------------------------------------------
  */
 
-/* Curves (u1, v1, u2, v2) in which two surfaces meet; tol as in
- * ix_curves_opts; freed with ix_solution_curves_free. Surfaces that coincide
- * have no curves: what is open is reported as singular, complete is false. */
+/* Curves (u1, v1, u2, v2) in which two surfaces meet, without edges that are
+ * one point; tol as in ix_curves_opts; freed with ix_solution_curves_free.
+ * Surfaces that coincide have no curves: what is open is reported as singular,
+ * complete is false. */
 ix_status ix_srf_srf_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                           double tol, ix_solution_curves *out) IX_MUST_CHECK;
 /* Points in which a curve meets a surface: solutions (t, u, v). */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "geom/outer_mv.h"
+#include "geom/point_curves.h"
 #include "iritx/geom_srf.h"
 #include "iritx/sym.h"
 
@@ -41,6 +42,17 @@ ix_status ix_contour(ix_ctx *ctx, const ix_mv *m, const double plane[4],
     return trace(ctx, f, tol, out);
 }
 
+/* What has been traced on s, without its poles. */
+static ix_status on_surface(ix_ctx *ctx, const ix_mv *s, ix_status st,
+                            ix_solution_curves *out)
+{
+    IX_TRY(st);
+    st = ix__drop_point_curves(ctx, s, 0, out);
+    if (st != IX_OK)
+        ix_solution_curves_free(ctx, out);
+    return st;
+}
+
 ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
                         double tol, ix_solution_curves *out)
 {
@@ -52,7 +64,7 @@ ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
     if (!(view[0] * view[0] + view[1] * view[1] + view[2] * view[2] > 0))
         return IX_FAIL(ctx, IX_EARG, "a view direction of length 0");
     IX_TRY(ix_srf_normal_field(ctx, s, &n));
-    st = ix_contour(ctx, n, v, tol, out);
+    st = on_surface(ctx, s, ix_contour(ctx, n, v, tol, out), out);
     ix_mv_unref(ctx, n);
     return st;
 }
@@ -110,7 +122,7 @@ ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
 
     *out = (ix_solution_curves){.unknowns = 0};
     IX_TRY(ix_isocline_field(ctx, s, view, theta, &f));
-    return trace(ctx, f, tol, out);
+    return on_surface(ctx, s, trace(ctx, f, tol, out), out);
 }
 
 ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
@@ -129,7 +141,7 @@ ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
     ix_mv_unref(ctx, n);
     ix_mv_unref(ctx, moment);
     IX_TRY(st);
-    return trace(ctx, f, tol, out);
+    return on_surface(ctx, s, trace(ctx, f, tol, out), out);
 }
 
 ix_status ix_implicit_extremes(ix_ctx *ctx, const ix_mv *f, int dir,

@@ -1,6 +1,7 @@
 /* srf_meet.c - intersections of surfaces with surfaces and curves, as systems
  * in the parameters of all of them: no projection, no tessellation. */
 #include "geom/outer_mv.h"
+#include "geom/point_curves.h"
 #include "iritx/distance.h"
 
 static ix_status check(ix_ctx *ctx, const ix_mv *m, int ndirs, const char *what)
@@ -59,6 +60,10 @@ ix_status ix_srf_srf_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
     IX_TRY(difference(ctx, a, b, eq, f));
     st = ix_solve_curves(ctx, 3, eq, &o, out);
     release(ctx, 3, eq, f);
+    if (st == IX_OK)
+        st = ix__drop_point_curves(ctx, a, 0, out);
+    if (st != IX_OK)
+        ix_solution_curves_free(ctx, out);
     return st;
 }
 

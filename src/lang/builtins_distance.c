@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/point_curves.h"
 #include "iritx/contour.h"
 #include "iritx/distance.h"
 #include "iritx/geom_srf.h"
@@ -298,7 +299,9 @@ static ix_status contour(ix_call *c)
                            "wanted",
                            on->ndirs);
     IX_TRY(ix_contour(c->ctx, m, plane, ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, on);
+    st = on ? ix__drop_point_curves(c->ctx, on, 0, &s) : IX_OK;
+    if (st == IX_OK)
+        st = ix__ret_contours(c, &s, on);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }

@@ -312,8 +312,8 @@ static void remark_curves(ix_call *c, const ix_solution_curves *s)
 {
     if (!s->complete)
         ix__remark(c->in,
-                   "stopped after %zu cells: the surfaces coincide, or nearly "
-                   "so",
+                   "stopped after %zu cells: the surfaces touch along a curve, "
+                   "or coincide, or nearly so",
                    s->boxes);
 }
 

@@ -1,6 +1,13 @@
 /* curves.c - n - 1 equations in n unknowns: the public call. */
+#include <float.h>
+
 #include "mv/mv.h"
 #include "solve/curves_impl.h"
+
+#define ROUNDED                                                             \
+    (16 * DBL_EPSILON) /* of its largest coefficient: what an equation that \
+                          was computed is known to. Curves along an edge of \
+                          the domain are outside of it by that */
 
 static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
                    const ix_curves_opts *o, const ix__patches *p, ix__curves *s)
@@ -40,8 +47,13 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
     IX_TRY(ix__patches_make(ctx, neq, eq, &p));
     set_up(ctx, neq, eq, o, &p, &s);
     IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
+    for (int i = 0; i < neq; i++)
+        p.err[i] += ROUNDED;
     do {
         ix__patches_take(&p, &s.t.shape, neq, idx, &b);
+        ix__patch_simple_edges(&s.t.shape, n - 1, &b);
+        for (int j = 0; j < n; j++)
+            s.joined[j] = ix__patches_joined(&p, &s.t.shape, n - 1, idx, j);
         IX_TRY(ix__curves_patch(&s, &b));
     } while (ix__patches_next(&p, n, idx));
     out->unknowns = n;

@@ -23,6 +23,7 @@
 typedef struct ix__cells {
     ix__curves *s;
     ix__stack stack;
+    ix__box wide; /* the box in hand, enlarged beyond faces of its patch */
     double *work, *face;
 } search;
 
@@ -31,6 +32,8 @@ typedef struct {
     const ix__box *b;
     int k;
     ix__mat m;
+    int in[IX_MAX_UNKNOWNS]; /* the curve lies in the patch's face at the low
+                                (-1) or high (1) end of that direction */
 } graph;
 
 static double *tensor(const ix__curves *s, const ix__box *b, int i)
@@ -196,13 +199,17 @@ static bool inside(const ix__curves *s, const double *x, double slack)
     return true;
 }
 
-static void to_global(const ix__curves *s, const ix__box *b, const double *x,
+static void to_global(const ix__curves *s, const graph *g, const double *x,
                       double *out)
 {
+    const ix__box *b = g->b;
+
     for (int j = 0; j < s->n; j++) {
         double t = fmin(fmax(x[j], 0), 1);
 
         out[j] = t >= 1 ? b->hi[j] : b->lo[j] + t * (b->hi[j] - b->lo[j]);
+        if (g->in[j])
+            out[j] = g->in[j] > 0 ? s->patch_hi[j] : s->patch_lo[j];
     }
 }
 
@@ -330,8 +337,9 @@ static ix_status all_face_points(search *q, const graph *g, ix__pt *list,
     *ok = true;
     for (int j = 0; j < n; j++)
         for (int high = 0; high <= 1; high++)
-            IX_TRY((n == 2 ? edge_points : face_points)(q, g->b, j, high != 0,
-                                                        list, count, ok));
+            if (g->in[j] != (high ? 1 : -1))
+                IX_TRY((n == 2 ? edge_points : face_points)(
+                    q, g->b, j, high != 0, list, count, ok));
     for (int i = 1; i < *count; i++) {
         ix__pt t = list[i];
         int k = i;
@@ -341,6 +349,103 @@ static ix_status all_face_points(search *q, const graph *g, ix__pt *list,
         list[k] = t;
     }
     return IX_OK;
+}
+
+/* --- curves in the faces of a patch
+ * ---------------------------------------------------------------------------
+ * Common in practice: patches with a common edge, sections along knot lines.
+ * Such a curve meets its face everywhere, or nowhere, as rounding would have
+ * it. So the cell is enlarged across that face, and the curve lies inside. */
+
+#define ACROSS  0.125 /* by that part of the cell */
+#define SAMPLES 16    /* on how many intervals of x_k the curve is looked at */
+
+/* Whether the curve is at x_j = side for all x_k, as far as the coefficients,
+ * known to within err, can tell. */
+static bool lies_in(search *q, const graph *g, int j, double side)
+{
+    const ix__curves *s = q->s;
+    const double *row = g->m[j < g->k ? j : j - 1];
+    double x[IX_MAX_UNKNOWNS], band = 16 * UNIT;
+
+    for (int i = 0; i < s->n - 1; i++)
+        band += 2 * fabs(row[i]) * g->b->err[i];
+    for (int i = 0; i < s->n; i++)
+        x[i] = 0.5;
+    x[j] = side;
+    if (!(correct(q, g, x) < 1e-6) || !(fabs(x[j] - side) <= band))
+        return false;
+    for (int i = 0; i <= SAMPLES; i++) {
+        x[g->k] = (double)i / SAMPLES;
+        if (!(correct(q, g, x) < 1e-6) || !(fabs(x[j] - side) <= band))
+            return false;
+    }
+    return true;
+}
+
+/* Enlarges q->wide in direction j across its low or high end: the part [-a, 1]
+ * or [0, 1 + a]. Extrapolating multiplies errors by (1 + 2 a) for each degree.
+ */
+static void widen(search *q, int j, bool high)
+{
+    const ix__shape *f = &q->s->t.shape;
+    ix__box *w = &q->wide;
+    double len = w->hi[j] - w->lo[j], grow = 1;
+
+    for (int d = 1; d < f->dims[j]; d++)
+        grow *= 1 + 2 * ACROSS;
+    for (int i = 0; i < q->s->n - 1; i++) {
+        double *c = w->c + (size_t)i * f->size, lo, hi;
+
+        ix__tensor_restrict(f, c, j, high ? 0 : -ACROSS, high ? 1 + ACROSS : 1);
+        ix__tensor_range(f, c, &lo, &hi);
+        w->mag[i] = ix__larger(-lo, hi);
+        w->err[i] = grow *
+                    (w->err[i] + 3 * (f->dims[j] - 1) * UNIT * w->mag[i]);
+    }
+    if (high)
+        w->hi[j] += ACROSS * len;
+    else
+        w->lo[j] -= ACROSS * len;
+}
+
+/* Faces of the patch in which the curve lies: the cell becomes one enlarged
+ * across them. False: that has no parameter any more. */
+static bool leave_faces(search *q, graph *g)
+{
+    const ix__curves *s = q->s;
+    const ix__box *b = g->b;
+    double *c = q->wide.c;
+    int in[IX_MAX_UNKNOWNS] = {0};
+    bool any = false;
+
+    for (int j = 0; j < s->n; j++)
+        for (int high = 0; j != g->k && high <= 1; high++)
+            if (on_patch(s, b, j, high != 0) && lies_in(q, g, j, high)) {
+                in[j] = high ? 1 : -1;
+                any = true;
+            }
+    if (!any)
+        return true;
+    q->wide = *b;
+    q->wide.c = c;
+    memcpy(c, b->c, (size_t)(s->n - 1) * s->t.shape.size * sizeof *c);
+    for (int j = 0; j < s->n; j++)
+        if (in[j])
+            widen(q, j, in[j] > 0);
+    if (!find_parameter(s, &q->wide, g) || in[g->k])
+        return false;
+    memcpy(g->in, in, sizeof in);
+    return true;
+}
+
+/* A curve in a face that two patches have in common belongs to the upper. */
+static bool left_to_neighbour(const ix__curves *s, const graph *g)
+{
+    for (int j = 0; j < s->n; j++)
+        if (g->in[j] > 0 && s->joined[j])
+            return true;
+    return false;
 }
 
 /* --- tracing
@@ -404,7 +509,7 @@ static ix_status trace(search *q, const graph *g, const double *p,
             stack[++top] = lo;
             continue;
         }
-        to_global(s, g->b, c.r, out);
+        to_global(s, g, c.r, out);
         IX_TRY(ix__curves_add_pt(s, out));
     }
     return IX_OK;
@@ -420,12 +525,15 @@ static bool same_point(const ix__curves *s, const double *a, const double *b)
 }
 
 /* The arcs of a cell with a parameter. */
-static ix_status cell_arcs(search *q, const graph *g, bool *ok)
+static ix_status cell_arcs(search *q, graph *g, bool *ok)
 {
     ix__curves *s = q->s;
     ix__pt list[MAX_FACE];
     int count, k = 0;
 
+    *ok = leave_faces(q, g);
+    if (!*ok || left_to_neighbour(s, g))
+        return IX_OK;
     IX_TRY(all_face_points(q, g, list, &count, ok));
     if (!*ok)
         return IX_OK;
@@ -440,7 +548,7 @@ static ix_status cell_arcs(search *q, const graph *g, bool *ok)
             x[j] = 0.5 * (list[i].x[j] + list[i + 1].x[j]);
         if (!(correct(q, g, x) < 1e-6) || !inside(s, x, 1e-12))
             continue;
-        to_global(s, g->b, list[i].x, out);
+        to_global(s, g, list[i].x, out);
         IX_TRY(ix__curves_add_pt(s, out));
         IX_TRY(trace(q, g, list[i].x, list[i + 1].x));
         IX_TRY(ix__curves_add_arc(s, first));
@@ -506,6 +614,7 @@ static ix_status make_search(ix__curves *s)
     IX_TRY(ix__stack_make(&s->t, &q->stack));
     IX_SCRATCH(s->t.ctx, q->work, 2 * s->t.shape.size);
     IX_SCRATCH(s->t.ctx, q->face, n);
+    IX_SCRATCH(s->t.ctx, q->wide.c, n);
     q->s = s;
     s->search = q;
     return IX_OK;

@@ -19,6 +19,8 @@ typedef struct {
     int n; /* unknowns; n - 1 equations */
     double lo[IX_MAX_UNKNOWNS], hi[IX_MAX_UNKNOWNS]; /* the whole domain */
     double patch_lo[IX_MAX_UNKNOWNS], patch_hi[IX_MAX_UNKNOWNS];
+    bool joined[IX_MAX_UNKNOWNS]; /* the patch has an upper neighbour with the
+                                     same values on the common face */
     double tol;
     ix__arc *arc;
     int narcs, arc_cap;

@@ -204,6 +204,34 @@ void ix__patches_take(const ix__patches *p, const ix__shape *h, int nall,
     }
 }
 
+bool ix__patches_joined(const ix__patches *p, const ix__shape *h, int neq,
+                        const int *idx, int j)
+{
+    const ix__shape *w = &p->whole;
+    size_t from = 0;
+
+    if (idx[j] + 1 >= p->sp[j].nspans)
+        return false;
+    for (int k = 0; k < h->n; k++)
+        from += (size_t)(idx[k] * h->dims[k]) * w->stride[k];
+    from += (size_t)(h->dims[j] - 1) * w->stride[j]; /* the upper layer */
+    for (size_t t = 0; t < h->size; t++) {
+        size_t at = from, rest = t;
+        bool layer = true;
+
+        for (int k = 0; k < h->n; k++) {
+            at += rest % (size_t)h->dims[k] * w->stride[k] * (k != j);
+            layer &= k != j || rest % (size_t)h->dims[k] == 0;
+            rest /= (size_t)h->dims[k];
+        }
+        for (int i = 0; layer && i < neq; i++)
+            if (!(fabs(p->c[i][at] - p->c[i][at + w->stride[j]]) <=
+                  2 * p->err[i]))
+                return false;
+    }
+    return true;
+}
+
 bool ix__patches_next(const ix__patches *p, int n, int *idx)
 {
     for (int j = 0; j < n; j++) {

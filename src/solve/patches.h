@@ -26,6 +26,13 @@ void ix__patches_shape(const ix__patches *p, ix__shape *s, double *edge);
 /* Copies patch idx[] of all nall relations, of shape h, into b. */
 void ix__patches_take(const ix__patches *p, const ix__shape *h, int nall,
                       const int *idx, ix__box *b);
+/* Divides v^(k-1) out of the first neq equations, where they vanish along an
+ * edge v = 0 of the patch to the order k: the same zeros, once each. */
+void ix__patch_simple_edges(const ix__shape *s, int neq, ix__box *b);
+/* Whether patch idx[] has an upper neighbour in direction j, and all neq
+ * equations have the same values on their common face. */
+bool ix__patches_joined(const ix__patches *p, const ix__shape *h, int neq,
+                        const int *idx, int j);
 /* Counts idx[n] on; false after the last patch. */
 bool ix__patches_next(const ix__patches *p, int n, int *idx);
 

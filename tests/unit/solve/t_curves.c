@@ -187,12 +187,71 @@ static void boundary(void **state)
     static const plane_case cases[] = {
         {"touches all sides", "x^2 + y^2 - 1", -1, 1, 1, 0, 0, 0},
         {"along a side", "(x + 1)*(y - 0.3)", -1, 1, 0, 3, 1, 3},
+        {"along a side, twice", "(x + 1)^2*(y - 0.3)", -1, 1, 0, 3, 1, 3},
+        {"along two sides, often", "(x + 1)^3*(y - 1)^2*(y - 0.3)", -1, 1, 0, 4,
+         2, 5},
         {"through corners", "x + y", -1, 1, 0, 1, 0, 0},
         {"leaves and returns", "y - 2.2*x^2 + 1.05", -1, 1, 0, 2, 0, 0}};
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         run_plane(&cases[i]);
+}
+
+/* Two patches that meet in nothing but a common edge, and in one along which
+ * their domains end and go on: u and v of the one, s and t of the other. */
+static void common_edge(void **state)
+{
+    static const struct {
+        const char *eq[3];
+        double knot; /* of y and w, at the edge; 0: none */
+    } cases[] = {
+        {{"x - z", "x^3 - x^2 + y - z^3 + z^2 + w", "y*(x + 1) - 2*w"}, 0},
+        {{"x - z + w", "x^3 + y - z^3", "y*(x - 3) - w - w^2"}, 0},
+        {{"x - z", "x^3 + y - 0.5 - z^3 + w - 0.5", "(y - 0.5)*(x + 1)"}, 0.5}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        ix_equation eq[3] = {{NULL, 0, IX_EQUAL_ZERO}};
+        ix_solution_curves s;
+        double box[6][2];
+
+        fill(box, 0, 1);
+        for (int k = 0; k < 3; k++) {
+            ix_mv *m = st_mv(ctx, cases[i].eq[k], 4, box), *b;
+
+            ASSERT_OK(ctx, ix_mv_to_bspline(ctx, m, &b));
+            ix_mv_unref(ctx, m);
+            for (int j = 1; cases[i].knot > 0 && j < 4; j += 2) {
+                ASSERT_OK(ctx,
+                          ix_mv_insert_knots(ctx, b, j, 1, &cases[i].knot, &m));
+                ix_mv_unref(ctx, b);
+                b = m;
+            }
+            eq[k] = (ix_equation){b, 0, IX_EQUAL_ZERO};
+        }
+        ASSERT_OK(ctx, ix_solve_curves(ctx, 3, eq, NULL, &s));
+        print_message("# common edge %zu: %zu cells\n", i, s.boxes);
+        assert_true(s.complete);
+        assert_int_equal(s.nsingular, 0);
+        assert_int_equal(s.ncurves, 1);
+        assert_int_equal(s.curve[0].start, IX_END_BOUNDARY);
+        assert_int_equal(s.curve[0].end, IX_END_BOUNDARY);
+        assert_true(s.boxes < 1000);
+        for (int k = 0; k < s.curve[0].n; k++) {
+            const double *x = s.curve[0].x + 4 * k;
+
+            assert_true(fabs(x[1] - cases[i].knot) <= 0 &&
+                        fabs(x[3] - cases[i].knot) <= 0);
+            assert_true(fabs(x[0] - x[2]) <= 1e-14);
+        }
+        /* all of it, from 0 to 1 */
+        assert_true(
+            fabs(s.curve[0].x[0] - s.curve[0].x[4 * (s.curve[0].n - 1)]) >= 1);
+        ix_solution_curves_free(ctx, &s);
+        for (int k = 0; k < 3; k++)
+            ix_mv_unref(ctx, eq[k].f);
+    }
 }
 
 /* A closed curve that a knot line follows, or cuts in its vertices. */
@@ -430,15 +489,12 @@ static void multiple_components(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(regular),
-                                       cmocka_unit_test(ellipses),
-                                       cmocka_unit_test(singular),
-                                       cmocka_unit_test(boundary),
-                                       cmocka_unit_test(knot_lines),
-                                       cmocka_unit_test(more_unknowns),
-                                       cmocka_unit_test(boundary_roots),
-                                       cmocka_unit_test(errors),
-                                       cmocka_unit_test(multiple_components)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(regular),       cmocka_unit_test(ellipses),
+        cmocka_unit_test(singular),      cmocka_unit_test(boundary),
+        cmocka_unit_test(common_edge),   cmocka_unit_test(knot_lines),
+        cmocka_unit_test(more_unknowns), cmocka_unit_test(boundary_roots),
+        cmocka_unit_test(errors),        cmocka_unit_test(multiple_components)};
 
     return cmocka_run_group_tests(tests, setup, teardown);
 }
