@@ -48,6 +48,28 @@ ix_status ix_crv_offset_fit(ix_ctx *ctx, const ix_mv *crv, double distance,
                             int samples, int size, int order, double *err,
                             ix_mv **out) IX_MUST_CHECK;
 
+/* The offset by matching tangents: C(t) + distance q(t), with q(t) the point of
+ * the unit circle at which its tangent is parallel to C'(t). Arcs of the circle
+ * of at most angle (radians) are replaced by parabolas that touch it at their
+ * ends, so that q(t) is rational and the tangents are exactly parallel.
+ *
+ * In    crv    of two coordinates or more, which move in the XY plane, to the
+ *              right of the direction; further ones stay
+ *       angle  0.001 to a right angle
+ * Out   *out   rational, degree 3 d - 2 (5 d - 4 of a rational curve), C0 knots
+ *              where the tangent leaves an arc; the parameter is that of crv,
+ *              but corners and cusps are gone around on parabolas whose spans
+ *              add to the domain (at those of a closed curve's ends, too)
+ *       *err   (may be NULL) distances are from |distance| to |distance| + err:
+ *              err = |distance| ((cos(a/2) + 1 / cos(a/2)) / 2 - 1), a <= angle
+ * Err   IX_EARG not such a curve, angle; IX_EDOMAIN poles, a span that is a
+ *       point
+ * Src   Lee, Kim, Elber 1996 (offsets by convolution with approximate circles)
+ */
+ix_status ix_crv_offset_match(ix_ctx *ctx, const ix_mv *crv, double distance,
+                              double angle, double *err,
+                              ix_mv **out) IX_MUST_CHECK;
+
 /* Intervals of the parameter in which off, the offset of crv, runs backwards:
  * <C', O'> < 0, between the zeros of that field. In these the distance exceeds
  * the radius of curvature. ends double[*n][2], freed with

@@ -197,6 +197,20 @@ static ix_status loffset(ix_call *c)
     return ix__ret_mv(c, 0, out);
 }
 
+static ix_status moffset(ix_call *c)
+{
+    double deg = ix__arg_num(c, 2), err;
+    ix_mv *out;
+
+    if (!(deg >= 0.1 && deg <= 90))
+        return IX_ARG_FAIL(c, 2, "arcs of %g degrees; 0.1 to 90 are possible",
+                           deg);
+    IX_TRY(ix_crv_offset_match(c->ctx, ix__arg_mv(c, 0), ix__arg_num(c, 1),
+                               deg * (acos(-1) / 180), &err, &out));
+    IX_TRY(ix__ret_mv(c, 0, out));
+    return ix__attr_set_real(c->ctx, &c->result->attrs, "Error", err);
+}
+
 static ix_status toffset(ix_call *c)
 {
     double *v;
@@ -256,6 +270,15 @@ const ix_builtin ix__builtins_offset[] = {
      "The B-spline of an order and a number of control points nearest, in the "
      "sense of least squares, to samples of the exact offset.",
      C "o = loffset(c, 0.2, 100, 8, 4);", loffset, 0, 20},
+    {"MOFFSET", "c:curve d:num angTol:num -> curve",
+     "The offset to the right of the direction in the XY plane: each point of "
+     "c "
+     "and the one of a circle of radius d with a parallel tangent, added up. "
+     "Arcs of at most angTol degrees of the circle are replaced by parabolas, "
+     "so that the result is rational, with tangents exactly parallel; "
+     "distances "
+     "are from d to d + the attribute Error.",
+     C "o = moffset(c, 0.2, 10);", moffset, 0, 20},
     {"TOFFSET", "c:curve off:curve params:list -> list",
      "The pieces of an offset curve off of c, cut at its self-intersections, "
      "that are nowhere nearer to c than the third of params = list(method, "
