@@ -3,27 +3,7 @@
  * (100 knots). Its times, in the default mode of products and in the fastest
  * one, are in the names: another machine's, for the order of magnitude. */
 #define _POSIX_C_SOURCE 200809L
-#include "bench.h"
-
-#include <string.h>
-
-#include "lang/interp.h"
-
-#define CALLS 20 /* in one run of a script */
-
-typedef struct {
-    ix_ctx *ctx;
-    ix_interp *in;
-    char text[200];
-} bench;
-
-static void run_text(void *arg)
-{
-    bench *b = arg;
-
-    ix_bench_ok(b->ctx,
-                ix__interp_run_text(b->in, "bench", b->text, strlen(b->text)));
-}
+#include "script.h"
 
 /* Ordinates of the curve with 10 knots; the others go on at random. */
 static double ordinate(int knots, int i)
@@ -40,7 +20,7 @@ static double ordinate(int knots, int i)
 }
 
 /* The cubic B-spline with that many simple knots, as variable C. */
-static void define(bench *b, int knots)
+static void define(script_bench *b, int knots)
 {
     static char text[20000];
     int n = 0;
@@ -51,8 +31,7 @@ static void define(bench *b, int knots)
                       "%sctlpt(E2, %.1f, %.3f)", i ? ", " : "", 0.5 * i,
                       ordinate(knots, i));
     snprintf(text + n, sizeof text - (size_t)n, "), list(KV_OPEN));");
-    ix_bench_ok(b->ctx,
-                ix__interp_run_text(b->in, "bench", text, strlen(text)));
+    script_run(b, text);
 }
 
 typedef struct {
@@ -60,7 +39,7 @@ typedef struct {
     const char *call, *irit;
 } row;
 
-static void time_row(bench *b, const row *r)
+static void time_row(script_bench *b, const row *r)
 {
     static const char ellipse[] = "c = circle(vector(0, 0, 0), 1) * sx(2);";
     static const char cubic[] =
@@ -71,22 +50,17 @@ static void time_row(bench *b, const row *r)
     if (r->knots > 1)
         define(b, r->knots);
     else
-        ix_bench_ok(b->ctx, ix__interp_run_text(
-                                b->in, "bench", r->knots ? cubic : ellipse,
-                                strlen(r->knots ? cubic : ellipse)));
-    snprintf(b->text, sizeof b->text, "for (ii = 1, 1, %d, r = %s);", CALLS,
-             r->call);
+        script_run(b, r->knots ? cubic : ellipse);
     snprintf(name, sizeof name, "%s, %d knots (IRIT %s)", r->call, r->knots,
              r->irit);
     if (r->knots < 2)
         snprintf(name, sizeof name, "%s, %s (IRIT %s)", r->call,
                  r->knots ? "cubic" : "ellipse", r->irit);
-    ix_bench(name, run_text, b, CALLS, "call");
+    script_time(b, name, r->call);
 }
 
 int main(void)
 {
-    static const ix_interp_opts none;
     static const row rows[] = {{1, "evolute(c)", "9.18 us, 9.96 us"},
                                {10, "evolute(c)", "9.31 ms, 2.23 ms"},
                                {20, "evolute(c)", "40.8 ms, 9.37 ms"},
@@ -99,15 +73,10 @@ int main(void)
                                {99, "ccrvtr(c, 1e-6, 2)", "2.52 s"},
                                {0, "ccrvtr(c, 1e-6, 2)", "248 ms"},
                                {99, "cinflect(c, 1e-6, 2)", "3.53 ms"}};
-    bench b = {.ctx = ix_ctx_new(NULL, NULL)};
+    script_bench b = script_begin();
 
-    if (!b.ctx)
-        return 1;
-    ix_ctx_set_threads(b.ctx, 1);
-    ix_bench_ok(b.ctx, ix__interp_new(b.ctx, &none, &b.in));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         time_row(&b, &rows[i]);
-    ix__interp_free(b.in);
-    ix_ctx_free(b.ctx);
+    script_end(&b);
     return 0;
 }

@@ -88,6 +88,11 @@ ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
                          const ix_op_opts *o, ix_report *rep,
                          ix_mv **out) IX_MUST_CHECK;
 
+/* The part of the report about two curves: nmeetings, meetings and overlap of
+ * *rep. Err those of ix_crv_meetings. */
+ix_status ix_bisector_meetings(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                               ix_report *rep) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

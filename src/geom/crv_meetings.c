@@ -299,6 +299,42 @@ static int by_parameters(const void *x, const void *y)
     return (a->t[k] > b->t[k]) - (a->t[k] < b->t[k]);
 }
 
+/* Ends of the projected control points' coordinate k; false if they bound
+ * nothing: a weight is not positive, or power coefficients. */
+static bool net_box(const ix_mv *m, int k, double ends[2])
+{
+    const double *x = m->pts + (size_t)(k + m->rational) * m->npts;
+
+    if (m->dirs[0].basis == IX_POWER)
+        return false;
+    ends[0] = INFINITY;
+    ends[1] = -INFINITY;
+    for (size_t i = 0; i < m->npts; i++) {
+        double w = m->rational ? m->pts[i] : 1.0;
+
+        if (!(w > 0.0))
+            return false;
+        ends[0] = fmin(ends[0], x[i] / w);
+        ends[1] = fmax(ends[1], x[i] / w);
+    }
+    return true;
+}
+
+/* Are the boxes of the control points further apart than eps? Most pairs of
+ * curves are, and then nothing else has to be done. */
+static bool nets_apart(const ix_mv *const *c, double eps)
+{
+    for (int k = 0; k < 3; k++) {
+        double a[2], b[2];
+
+        if (!net_box(c[0], k, a) || !net_box(c[1], k, b))
+            return false;
+        if (a[0] - b[1] > eps || b[0] - a[1] > eps)
+            return true;
+    }
+    return false;
+}
+
 static ix_status run(ix_ctx *ctx, const ix_mv *const *c, ix_meetings *out)
 {
     search q = {.ctx = ctx};
@@ -307,16 +343,19 @@ static ix_status run(ix_ctx *ctx, const ix_mv *const *c, ix_meetings *out)
     ix_form f[2];
 
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
+    /* rounding of both ends of a difference, by de Casteljau and in the input
+     */
+    q.eps = 8 * (c[0]->dirs[0].order + c[1]->dirs[0].order) * DBL_EPSILON +
+            4 * frame.noise;
+    out->eps = ldexp(q.eps, frame.exp);
+    out->complete = true;
+    if (nets_apart(c, out->eps))
+        return IX_OK;
     for (int k = 0; k < 2; k++) {
         IX_TRY(load(ctx, c[k], &frame, &f[k], &b[k]));
         q.s[k].d = f[k].dirs[0].degree;
         ix_mv_domain(c[k], 0, q.dom[k]);
     }
-    /* rounding of both ends of a difference, by de Casteljau and in the input
-     */
-    q.eps = 8 * (f[0].dirs[0].degree + f[1].dirs[0].degree + 2) * DBL_EPSILON +
-            4 * frame.noise;
-    out->eps = ldexp(q.eps, frame.exp);
     IX_TRY(all_pairs(&q, f, b));
     out->complete = q.tries < MOST;
     if (q.n == 0)

@@ -168,8 +168,9 @@ static ix_status two_curves(ix_call *c, const ix_operand *x, double alpha)
     ix_report rep;
     ix_mv *out;
 
-    IX_TRY(ix_calphasector3d(c->ctx, x[0].mv, x[1].mv, alpha, &o, &rep, &out));
+    IX_TRY(ix_calphasector3d(c->ctx, x[0].mv, x[1].mv, alpha, &o, NULL, &out));
     IX_TRY(ix__ret_mv(c, -1, out));
+    IX_TRY(ix_bisector_meetings(c->ctx, x[0].mv, x[1].mv, &rep));
     return tell_meetings(c, &rep);
 }
 

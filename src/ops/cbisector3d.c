@@ -259,33 +259,48 @@ static double off_plane(const double *b, double p[2][3], double alpha,
     return fabs(ix__dot3(m, e)) / (size * fmax(ix__len3(e), DBL_MIN));
 }
 
-static ix_status measure_at(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
-                            double alpha, const double *t, double size,
-                            double *worst)
+/* Both curves' points at the parameters t[5]: x[coordinate][5], not finite at a
+ * pole; and the surface above all pairs: b[axis][25]. */
+typedef struct {
+    double t[2][5], x[2][3 * 5], b[4 * IX__PLACES];
+} places;
+
+static ix_status take_places(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
+                             places *p)
 {
-    double x[4], p[2][3];
+    for (int i = 0; i < IX__PLACES; i++) {
+        double t[2];
 
-    IX_TRY(ix_mv_eval(ctx, s, t, x));
-    if (!(fabs(x[0]) > POLE))
-        return IX_OK;
-    for (int i = 0; i < 2; i++) {
-        ix_status st = ix_mv_point(ctx, c[i], &t[i], p[i]);
-
-        if (st == IX_EDOMAIN)
-            return IX_OK;
-        IX_TRY(st);
+        ix__report_place(s, i, t);
+        p->t[0][i % 5] = t[0];
+        p->t[1][i / 5] = t[1];
     }
-    for (int k = 0; k < 3; k++)
-        x[k + 1] /= x[0];
-    *worst = fmax(isnan(*worst) ? 0.0 : *worst,
-                  off_plane(x + 1, p, alpha, size));
-    return IX_OK;
+    for (int k = 0; k < 2; k++)
+        IX_TRY(ix_mv_point_many(ctx, c[k], 5, p->t[k], p->x[k]));
+    return ix_mv_eval_grid(ctx, s, (const int[]){5, 5},
+                           (const double *const[]){p->t[0], p->t[1]}, p->b);
+}
+
+static void measure_at(const places *at, int i, double alpha, double size,
+                       double *worst)
+{
+    double b[3], p[2][3], off, w = at->b[i];
+
+    for (int k = 0; k < 3; k++) {
+        b[k] = at->b[(k + 1) * IX__PLACES + i] / w;
+        p[0][k] = at->x[0][5 * k + i % 5];
+        p[1][k] = at->x[1][5 * k + i / 5];
+    }
+    off = off_plane(b, p, alpha, size);
+    if (fabs(w) > POLE && isfinite(off))
+        *worst = fmax(isnan(*worst) ? 0.0 : *worst, off);
 }
 
 static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
                          const task *k, ix_report *rep)
 {
     ix_frame frame;
+    places at;
 
     ix__report_init(rep, k->form, s);
     rep->how = k->alpha == 0.5
@@ -294,14 +309,10 @@ static ix_status measure(ix_ctx *ctx, const ix_mv *const *c, const ix_mv *s,
                    : "distance from the dividing plane on a 5 x 5 grid, "
                      "relative to distance or size";
     IX_TRY(ix__frame_of(ctx, 2, c, &frame));
-    for (int i = 0; i < IX__PLACES; i++) {
-        double t[2];
-
-        ix__report_place(s, i, t);
-        IX_TRY(measure_at(ctx, c, s, k->alpha, t, ldexp(1.0, frame.exp),
-                          &rep->residual));
-    }
-    return ix__crv_pair_meetings(ctx, c, rep);
+    IX_TRY(take_places(ctx, c, s, &at));
+    for (int i = 0; i < IX__PLACES; i++)
+        measure_at(&at, i, k->alpha, ldexp(1.0, frame.exp), &rep->residual);
+    return ix_bisector_meetings(ctx, c[0], c[1], rep);
 }
 
 /* --- entry ---------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "bern/bern.h"
 #include "geom/vec3.h"
@@ -316,13 +317,16 @@ static ix_status run_along(ix_ctx *ctx, const ix_mv *const *c, double eps,
     return IX_OK;
 }
 
-ix_status ix__crv_pair_meetings(ix_ctx *ctx, const ix_mv *const *c,
-                                ix_report *rep)
+ix_status ix_bisector_meetings(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                               ix_report *rep)
 {
+    const ix_mv *const c[2] = {c1, c2};
     ix_status st = IX_OK;
     ix_meetings m;
 
-    IX_TRY(ix_crv_meetings(ctx, c[0], c[1], &m));
+    rep->nmeetings = 0;
+    memset(rep->overlap, 0, sizeof rep->overlap);
+    IX_TRY(ix_crv_meetings(ctx, c1, c2, &m));
     rep->nmeetings = m.n;
     for (int i = 0; i < m.n && i < IX_REPORT_MEETINGS; i++)
         for (int k = 0; k < 2; k++)

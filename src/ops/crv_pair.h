@@ -25,8 +25,5 @@ ix_status ix__crv_pair_check(ix_ctx *ctx, const ix_crv_pair *p) IX_MUST_CHECK;
 ix_status ix__crv_pair_weight(ix_ctx *ctx, const ix_crv_pair *p,
                               const ix_outer *w, size_t n, const double *pts,
                               double size) IX_MUST_CHECK;
-/* Where the curves meet or run along each other, into the report. */
-ix_status ix__crv_pair_meetings(ix_ctx *ctx, const ix_mv *const *c,
-                                ix_report *rep) IX_MUST_CHECK;
 
 #endif
