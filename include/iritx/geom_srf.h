@@ -205,6 +205,43 @@ ix_status ix_srf_boolsum(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
 ix_status ix_srf_boolone(ix_ctx *ctx, const ix_mv *crv,
                          ix_mv **out) IX_MUST_CHECK;
 
+/* --- ribs --------------------------------------------------------------- */
+
+/* A rib along a curve on a surface. */
+typedef struct {
+    const ix_mv *path; /* (u, v)(t) inside the surface's domain; no corners */
+    const ix_mv *section; /* (x, y) from (-1, 0) to (1, 0) */
+    double tan_scale;     /* of the tangents across, > 0 */
+    double width, height;
+    /* NULL, or curves over the path whose second coordinate (the only one of a
+     * scalar curve) multiplies these; their domains are mapped to the path's */
+    const ix_mv *width_crv, *height_crv;
+} ix_rib;
+
+/* With p+ and p- the curves of the parameter plane on the left and on the right
+ * of the path, from which they are half the width away: steps whose images in
+ * the tangent plane are perpendicular to the curve on the surface,
+ *
+ *   R(u, t) = H((1 + x(u)) / 2, t) + y(u) height(t) N(t),
+ *
+ * where H is the cubic Hermite surface from S(p-) to S(p+) whose derivatives
+ * across are those of S along p+ - p-, times tan_scale, and N the unit normal
+ * S_v x S_u on the path.
+ *
+ * Out   *out  over [0, 1]^2: u across as the section, t along; S(p-) at u = 0.
+ *             In tangent contact with S along both borders, exactly, where the
+ *             section is horizontal at its ends (y' = 0). With d the sum of S's
+ *             degrees, of degree 3 d (rational: 12 d) along, of 3 times the
+ *             section's across; straight borders: a third of that
+ * Err   IX_EARG not a surface or curves, the section's ends, tan_scale, a width
+ *       that is not positive; IX_EDOMAIN the path or a border leaves the
+ * domain, a corner, a singular point (the message tells the parameter);
+ * IX_EUNABLE a border is not followed by 1024 control points Num   the borders
+ * are within 1e-4 of half the width of where they should be, the normals within
+ * 1e-4; contact is exact up to rounding */
+ix_status ix_srf_rib(ix_ctx *ctx, const ix_mv *srf, const ix_rib *o,
+                     ix_mv **out) IX_MUST_CHECK;
+
 /* --- quadrics ---------------------------------------------------------- */
 
 /* A patch of the surface

@@ -1,4 +1,4 @@
-/* tv_boolsum.h - trivariates from faces, a surface that follows a section. */
+/* tv_boolsum.h - trivariates from faces. */
 #ifndef GEOM_TV_BOOLSUM_H
 #define GEOM_TV_BOOLSUM_H
 
@@ -17,14 +17,5 @@ ix_status ix__tv_boolsum(ix_ctx *ctx, const ix_mv *const f[6],
  * closed curve cut in four (ix_srf_boolone); w is the tube's v. */
 ix_status ix__tv_boolone(ix_ctx *ctx, const ix_mv *tube,
                          ix_mv **out) IX_MUST_CHECK;
-
-/* H((1 + x(u)) / 2, v) + y(u) n(v): the cubic Hermite surface of positions b1,
- * b2 and tangents t1, t2, whose parameter runs as the x of the planar section
- * from -1 to 1, raised by its y along the field n. In both parameters [0, 1].
- * Its ends are tangent to b_i', t_i where y' = 0. c = b1 b2 t1 t2 section n.
- * Err IX_EARG rational or other than curves of at most 3 coordinates; the
- * section's ends are not (-1, 0) and (1, 0) within 1e-5. */
-ix_status ix__srf_section_hermite(ix_ctx *ctx, const ix_mv *const c[6],
-                                  ix_mv **out) IX_MUST_CHECK;
 
 #endif

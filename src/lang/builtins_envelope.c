@@ -161,11 +161,6 @@ const ix_builtin ix__builtins_envelope[] = {
     ABSENT("ANALYFIT", "uv:list pts:list fit:num center:num -> list",
            "Fits analytic forms to points with parameters",
            "l = analyfit(nil(), nil(), 1, 0);", 24),
-    ABSENT("BLSHERMITE",
-           "s:surface pc:curve section:curve tanScale:num width:num|curve "
-           "height:num|curve -> surface",
-           "Raises a rib along a curve on a surface",
-           S C "r = blshermite(s, c, c, 1, 0.1, 0.1);", 11),
     ABSENT("C2RECTRGN",
            "crvs:list angDev:num outType:num size:num smooth:num -> any",
            "Tiles a planar region with quadrilaterals",

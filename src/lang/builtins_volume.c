@@ -1,5 +1,6 @@
 /* builtins_volume.c - trivariates of revolution and from faces (chapter 15),
  * Hermite surfaces along a section (chapter 11 of spec/functions). */
+#include "geom/section_hermite.h"
 #include "geom/tv_boolsum.h"
 #include "iritx/geom_srf.h"
 #include "lang/args_freeform.h"
@@ -63,6 +64,35 @@ static ix_status blhermite(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+/* A number, or a curve that multiplies 1. */
+static void number_or_curve(const ix_call *c, int i, double *x,
+                            const ix_mv **crv)
+{
+    *x = 1;
+    if (c->argv[i]->type == IX_OBJ_NUMBER)
+        *x = ix__arg_num(c, i);
+    else
+        *crv = ix__arg_mv(c, i);
+}
+
+static ix_status blshermite(ix_call *c)
+{
+    ix_rib o = {.path = ix__arg_mv(c, 1),
+                .section = ix__arg_mv(c, 2),
+                .tan_scale = ix__arg_num(c, 3)};
+    ix_mv *out;
+
+    if (!(o.tan_scale > 0))
+        return IX_ARG_FAIL(c, 3,
+                           "tangents scaled by %g; a positive number is "
+                           "wanted",
+                           o.tan_scale);
+    number_or_curve(c, 4, &o.width, &o.width_crv);
+    number_or_curve(c, 5, &o.height, &o.height_crv);
+    IX_TRY(ix_srf_rib(c->ctx, ix__arg_mv(c, 0), &o, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
 #define S                                                                \
     "s = ruledsrf(ctlpt(E3,1,0,0) + ctlpt(E3,2,0,0), ctlpt(E3,1,0,1) + " \
     "ctlpt(E3,2,0,1)); "
@@ -94,10 +124,25 @@ const ix_builtin ix__builtins_volume[] = {
      "surface",
      "The Hermite surface of HERMITE whose parameter runs as the x of a planar "
      "section from (-1, 0) to (1, 0), raised by its y along the normal field: "
-     "H((1 + x(u)) / 2, v) + y(u) normal(v). Polynomial curves.",
+     "H((1 + x(u)) / 2, v) + y(u) normal(v).",
      "b = ctlpt(E3,0,0,0) + ctlpt(E3,0,3,0); t = ctlpt(E3,1,0,0) + "
      "ctlpt(E3,1,0,0); g = cbezier(list(ctlpt(E2,-1,0), ctlpt(E2,0,0), "
      "ctlpt(E2,0,2), ctlpt(E2,0,0), ctlpt(E2,1,0))); s = blhermite(b, b * "
      "tx(2), t, t, g, ctlpt(E3,0,0,1) + ctlpt(E3,0,0,1));",
      blhermite, 0, 11},
+    {"BLSHERMITE",
+     "s:surface pc:curve section:curve tanScale:num width:num|curve "
+     "height:num|curve -> surface",
+     "A rib along the curve pc = (u, v)(t) on a surface, in exact tangent "
+     "contact with it: BLHERMITE between the borders at half the width on both "
+     "sides of pc, tangents being those of s across, times tanScale; the "
+     "section, from (-1, 0) to (1, 0), is raised along SNORMAL times the "
+     "height. Width and height may be curves, whose y (or only coordinate) "
+     "counts. The section's parameter is u, pc's v; x = 1 is on the left of "
+     "pc.",
+     "s = sbezier(list(list(point(0,0,0), point(1,0,0)), list(point(0,1,0), "
+     "point(1,1,1)))); g = cbezier(list(ctlpt(E2,-1,0), ctlpt(E2,0,0), "
+     "ctlpt(E2,0,2), ctlpt(E2,0,0), ctlpt(E2,1,0))); r = blshermite(s, "
+     "ctlpt(E2,0.1,0.5) + ctlpt(E2,0.9,0.5), g, 1, 0.2, 0.1);",
+     blshermite, 0, 11},
     {0}};

@@ -3,6 +3,7 @@
 #include "geom/tv_boolsum.h"
 
 #include "geom/ruled_pieces.h"
+#include "geom/section_hermite.h"
 #include "geomtest.h"
 #include "iritx/geom_srf.h"
 
