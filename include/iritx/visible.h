@@ -47,6 +47,21 @@ ix_status ix_crv_angle_field(ix_ctx *ctx, const ix_mv *crv, double theta,
 ix_status ix_crv_angle_pairs(ix_ctx *ctx, const ix_mv *crv, double theta,
                              double tol, ix_lines *out) IX_MUST_CHECK;
 
+/* Silhouettes and their shadows for all directions of view at once: polylines
+ * (t, v, r). First those with r = t, where the tangent at C(t) has the
+ * direction V(v), which points to the viewer; then those where that tangent,
+ * the line of sight through the silhouette, meets the curve again at C(r).
+ *
+ * In    view  a planar curve whose position is the direction
+ *       trim  only silhouettes that nothing hides, and of their shadows the
+ *             first place behind them; lines end where that changes, to 2^-30
+ * of a step of the polyline tol   as in ix_curves_opts Err   IX_EARG    not
+ * planar Bezier or B-spline curves IX_EDOMAIN poles IX_EUNABLE the solution
+ * curves are not known completely Src   the boundaries of visibility charts
+ * (Elber, Sayegh, Barequet, Martin 2005) */
+ix_status ix_crv_view_map(ix_ctx *ctx, const ix_mv *crv, const ix_mv *view,
+                          bool trim, double tol, ix_lines *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

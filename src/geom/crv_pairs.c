@@ -6,6 +6,8 @@
  * first or second order; on one span that power of t - r is divided out in the
  * scaled Bernstein basis, where t - r = t (1 - r) - r (1 - t) makes it a
  * recursion along anti-diagonals. Pairs of spans are solved one by one. */
+#include "geom/crv_pairs.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -183,6 +185,39 @@ static void equation(const pairs *p, int i, int j, bool second, int times,
     to_bernstein(f, m - times, n - times);
 }
 
+/* Equation k of a pair as a multivariate; NULL: the span is straight. */
+static ix_status field(pairs *p, int i, int j, int k, int times, ix_mv **out)
+{
+    int m = p->d + (k ? 0 : p->e) - times + 1;
+    int n = p->d + (k ? p->e : 0) - times + 1;
+    const ix_dir dirs[2] = {{.basis = IX_BEZIER, .order = m, .length = m},
+                            {.basis = IX_BEZIER, .order = n, .length = n}};
+
+    *out = NULL;
+    if (m < 1 || n < 1)
+        return IX_OK;
+    equation(p, i, j, k != 0, times, p->f[k]);
+    return ix_mv_new(p->ctx, 2, dirs, 1, false, p->f[k], out);
+}
+
+static ix_status tangent_chords(ix_ctx *ctx, const ix_mv *c, int i, int j,
+                                ix_mv **out)
+{
+    pairs p = {.ctx = ctx, .kind = BITANGENT, .crv = c};
+
+    IX_TRY(load(&p));
+    if (p.d < 1)
+        return IX_OK;
+    return field(&p, i, j, 0, i == j ? 2 : 0, out);
+}
+
+ix_status ix__tangent_chords(ix_ctx *ctx, const ix_mv *c, int i, int j,
+                             ix_mv **out)
+{
+    *out = NULL;
+    IX_RETURN_SCOPED(ctx, tangent_chords(ctx, c, i, j, out));
+}
+
 /* --- solutions
  * ------------------------------------------------------------------------ */
 
@@ -242,15 +277,9 @@ static ix_status solve_pair(pairs *p, int i, int j)
     ix_mv *f[2] = {NULL, NULL};
 
     for (int k = 0; st == IX_OK && k < 2; k++) {
-        int m = p->d + (k ? 0 : p->e) - times + 1;
-        int n = p->d + (k ? p->e : 0) - times + 1;
-        const ix_dir dirs[2] = {{.basis = IX_BEZIER, .order = m, .length = m},
-                                {.basis = IX_BEZIER, .order = n, .length = n}};
-
-        if (m < 1 || n < 1)
-            return IX_OK; /* a straight piece */
-        equation(p, i, j, k != 0, times, p->f[k]);
-        st = ix_mv_new(p->ctx, 2, dirs, 1, false, p->f[k], &f[k]);
+        st = field(p, i, j, k, times, &f[k]);
+        if (st == IX_OK && !f[k]) /* as the other one */
+            return IX_OK;
         eq[k] = (ix_equation){.f = f[k], .axis = 0, .rel = IX_EQUAL_ZERO};
     }
     if (st == IX_OK)

@@ -27,6 +27,18 @@ static ix_status cvisible(ix_call *c)
     return ix__ret_crvs(c, &p);
 }
 
+static ix_status cviewmap(ix_call *c)
+{
+    ix_lines l;
+    ix_status st;
+
+    IX_TRY(ix_crv_view_map(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1),
+                           ix__arg_bool(c, 4), ix__contour_tolerance(c), &l));
+    st = l.n ? ix__ret_lines(c, &l, IX_POLYLINE) : IX_OK;
+    ix_lines_free(c->ctx, &l);
+    return st;
+}
+
 /* --- convex hulls --------------------------------------------------------- */
 
 static int by_place(const void *a, const void *b)
@@ -208,6 +220,19 @@ static ix_status circpoly(ix_call *c)
     " ctlpt(E2,2,2), ctlpt(E2,0,2)), list(KV_PERIODIC)); "
 
 const ix_builtin ix__builtins_visible[] = {
+    {"CVIEWMAP", "c:curve viewCrv:curve subdiv:num numer:num trim:bool -> poly",
+     "Silhouettes of a planar curve for all directions of view, those that the "
+     "positions of viewCrv are (towards the viewer), and their shadows: "
+     "polylines (t, v, r), first with r = t where the tangent at c(t) has the "
+     "direction viewCrv(v), then where that line of sight meets the curve "
+     "again "
+     "at c(r). With trim only silhouettes that nothing hides and the first "
+     "place "
+     "behind them; no value if there is none. subdiv and numer are not needed.",
+     "c = cbezier(list(ctlpt(E2,0,0), ctlpt(E2,1,2), ctlpt(E2,2,-2), "
+     "ctlpt(E2,3,1))); o = cviewmap(c, pcircle(vector(0,0,0), 1), 0.05, 1e-5, "
+     "0);",
+     cviewmap, 0, 9},
     {"CVISIBLE", "c:curve view:pt3 eps:num -> list",
      "The parts of a planar curve that nothing of it hides from the viewer at "
      "view = (x, y, 1), or from far away where view = (x, y, 0) points to, on "
