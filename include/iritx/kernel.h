@@ -1,4 +1,5 @@
-/* kernel.h - from where the whole of a closed planar curve is seen.
+/* kernel.h - from where the whole of a closed planar curve, or of a closed
+ * surface, is seen.
  *
  * A point p is in the kernel of the region inside C if it is on the inner side
  * of every tangent line; the lines themselves are the zero set of
@@ -45,6 +46,24 @@ ix_status ix_crv_kernel_envelope(ix_ctx *ctx, const ix_mv *crv, double gamma,
  * positive, gamma a right angle. */
 ix_status ix_crv_kernel_surface(ix_ctx *ctx, const ix_mv *crv, double gamma,
                                 double extent, ix_mv **out) IX_MUST_CHECK;
+
+/* The kernel of a closed surface, the points that are behind all of its tangent
+ * planes and so see all of it from inside, as a convex polyhedron that holds
+ * it: the surface's box, cut by tangent planes at `samples` even parameters of
+ * each patch and direction, ends included.
+ *
+ * In    srf     in space; that it is closed is taken for granted: the sign of
+ *               its volume tells where inside is
+ *       samples 1 .. 1000
+ *       skip    of the planes every skip-th in both directions cut first; the
+ *               others then meet a small polyhedron. The result is the same
+ * Out   *out    its faces, counter-clockwise from outside; none if no point is
+ *               behind all planes: then there is no kernel
+ *       *error  farthest that a vertex is in front of a tangent plane in the
+ *               middle between samples; falls with the square of the step
+ * Err   IX_EARG not such a surface, power basis, counts; IX_EDOMAIN poles */
+ix_status ix_srf_kernel(ix_ctx *ctx, const ix_mv *srf, int samples, int skip,
+                        double *error, ix_lines *out) IX_MUST_CHECK;
 
 #ifdef __cplusplus
 }

@@ -229,6 +229,23 @@ static ix_status crvkernel(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+static ix_status srfkernel(ix_call *c)
+{
+    int samples, skip;
+    double error;
+    ix_lines l;
+    ix_status st;
+
+    IX_TRY(ix__arg_int(c, 1, 1, 1000, &samples));
+    IX_TRY(ix__arg_int(c, 2, 1, 1000000, &skip));
+    IX_TRY(ix_srf_kernel(c->ctx, ix__arg_mv(c, 0), samples, skip, &error, &l));
+    st = l.n ? ix__ret_lines(c, &l, IX_POLYGON) : IX_OK;
+    ix_lines_free(c->ctx, &l);
+    if (st != IX_OK || !c->result)
+        return st;
+    return ix__attr_set_real(c->ctx, &c->result->attrs, "Error", error);
+}
+
 const ix_builtin ix__builtins_enclose[] = {
     {"MSCIRC", "x:poly|list tols:list|num -> curve",
      "The smallest circle in the XY plane that holds all vertices of x, or all "
@@ -267,4 +284,13 @@ const ix_builtin ix__builtins_enclose[] = {
      "c = circle(vector(0,0,0), 1); o = crvkernel(c, 0, true, list(2, 2, 2), "
      "0);",
      crvkernel, 0, 9},
+    {"SRFKERNEL", "s:surface fineness:num skip:num -> poly",
+     "The kernel of a closed surface, from where all of it is seen, as a "
+     "convex "
+     "polyhedron around it: the tangent planes at fineness places of each "
+     "patch "
+     "and direction, every skip-th cut first (which changes the time only). "
+     "Attribute Error: farthest that it is in front of a tangent plane between "
+     "these. No value if there is no kernel.",
+     "s = spheresrf(1); o = srfkernel(s, 10, 5);", srfkernel, 0, 13},
     {0}};

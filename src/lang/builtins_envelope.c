@@ -170,10 +170,6 @@ const ix_builtin ix__builtins_envelope[] = {
            "any",
            "Shows where one control point keeps a curve convex",
            C "m = ccrvtr1pt(c, 1, -1, 3, 0.1, 1e-6, 1);", 9),
-    ABSENT("CVIEWMAP",
-           "c:curve viewCrv:curve subdiv:num numer:num trim:bool -> any",
-           "Maps planar silhouettes over all directions of view",
-           C "o = cviewmap(c, c, 0.05, 1e-5, 0);", 9),
     ABSENT("SASPCTGRPH", "s:surface -> poly",
            "Divides the sphere of views by how silhouettes look",
            S "o = saspctgrph(s);", 13),
@@ -189,11 +185,6 @@ const ix_builtin ix__builtins_envelope[] = {
     ABSENT("SKELNDINT", "mvs:list subdiv:num numer:num exprTrees:bool -> list",
            "Finds points as far from many freeforms",
            S "l = skelndint(list(s, s * tx(3)), 0.1, 1e-6, true);", 21),
-    ABSENT(
-        "SRFKERNEL", "s:surface fineness:num skip:num -> poly",
-        "Finds from where all of a closed surface is seen (CRVKERNEL does it "
-        "for curves)",
-        S "o = srfkernel(s, 10, 5);", 13),
     ABSENT("SVISIBLE", "s:surface resolution:num coneDeg:num -> list",
            "Divides a surface into parts that one direction sees",
            S "l = svisible(s, 10, 0.5);", 13),
