@@ -2,10 +2,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/poly_offset.h"
+#include "geom/vec3.h"
 #include "iritx/offset.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
+#include "lang/poly_rows.h"
 
 /* --- one offset ------------------------------------------------------------
  */
@@ -83,11 +86,95 @@ static ix_status trimmed_offset(ix_call *c, double tol)
     return st;
 }
 
+/* --- polygons and polylines
+ * ------------------------------------------------------- */
+
+/* The side from which right and left are seen: +z for what lies in a plane
+ * z = const, else that normal of the polygon's plane whose last component that
+ * is not 0 is positive. */
+static ix_status upper_side(ix_call *c, int which, const ix_polygon *pg,
+                            double up[3])
+{
+    double plane[4], far = 0, size = 0;
+    int k = 2;
+
+    memcpy(up, (double[3]){0, 0, 1}, 3 * sizeof *up);
+    if (pg->kind != IX_POLYGON || !ix__polygon_plane(pg, plane))
+        plane[0] = plane[1] = plane[2] = plane[3] = 0;
+    for (int i = 0; i < pg->n; i++) {
+        const double *p = pg->v[i].p, *q = pg->v[0].p;
+
+        size = fmax(size, ix__dist3(p, q));
+        far = fmax(far, plane[0] == 0 && plane[1] == 0
+                            ? fabs(p[2] - q[2])
+                            : fabs(ix__dot3(p, plane) + plane[3]));
+    }
+    if (!(far <= 1e-9 * size))
+        return IX_ARG_FAIL(c, 0,
+                           "polygon %d is not planar (by %g); polylines must "
+                           "lie in a plane z = const, polygons in any plane",
+                           which + 1, far);
+    while (k > 0 && fabs(plane[k]) <= 1e-12)
+        k--;
+    for (int i = 0; i < 3 && fabs(plane[k]) > 0; i++)
+        up[i] = plane[k] > 0 ? plane[i] : -plane[i];
+    return IX_OK;
+}
+
+/* One polygon at the distance; a polyline whose ends are equal stays closed. */
+static ix_status polygon_offset(ix_call *c, int which, const ix_polygon *pg,
+                                ix__join join, ix_polygon *to)
+{
+    double(*p)[3], (*out)[3], up[3];
+    bool closed = pg->kind == IX_POLYGON, ends;
+    int m;
+
+    if (pg->kind != IX_POLYGON && pg->kind != IX_POLYLINE)
+        return IX_ARG_FAIL(c, 0, "point lists and strips have no sides");
+    IX_TRY(upper_side(c, which, pg, up));
+    IX_SCRATCH(c->ctx, p, pg->n);
+    for (int i = 0; i < pg->n; i++)
+        memcpy(p[i], pg->v[i].p, sizeof p[i]);
+    ends = !closed && pg->n > 3 && memcmp(p[0], p[pg->n - 1], sizeof *p) == 0;
+    IX_TRY(ix__polyline_offset(c->ctx, pg->n, (const double(*)[3])p,
+                               closed || ends, up, ix__arg_num(c, 1), join, &m,
+                               &out));
+    if (ends)
+        memcpy(out[m++], out[0], sizeof *out);
+    return ix__polygon_fill(c->ctx, to, pg->kind, m,
+                            (const double(*)[3])out);
+}
+
+static ix_status poly_offset(ix_call *c)
+{
+    const ix_poly *in = c->argv[0]->u.poly;
+    ix__join join = ix__arg_bool(c, 2)   ? IX__JOIN_ROUND
+                    : ix__arg_bool(c, 3) ? IX__JOIN_MITRE
+                                         : IX__JOIN_BEVEL;
+    ix_status st = IX_OK;
+    ix_poly *out;
+
+    if (c->argv[1]->type != IX_OBJ_NUMBER)
+        return IX_ARG_FAIL(c, 1,
+                           "a curve; the distance of polygons is a number");
+    out = ix__poly_new(c->ctx, in->n);
+    if (!out)
+        return IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < in->n; i++)
+        st = polygon_offset(c, i, &in->poly[i], join, &out->poly[i]);
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_poly(c->ctx, out));
+    ix__poly_unref(c->ctx, out);
+    return st;
+}
+
 static ix_status offset(ix_call *c)
 {
     ix_offset_opts o = {.interpolate = ix__arg_bool(c, 3)};
     ix_mv *out;
 
+    if (c->argv[0]->type == IX_OBJ_POLY)
+        return poly_offset(c);
     IX_TRY(arg_tolerance(c, 2, &o.tol));
     if (c->argv[0]->type == IX_OBJ_TRIMSRF)
         return trimmed_offset(c, o.tol);
@@ -254,14 +341,21 @@ static ix_status iloffset(ix_call *c)
 
 const ix_builtin ix__builtins_offset[] = {
     {"OFFSET",
-     "x:curve|surface|trimsrf d:num|curve tol:num interp:bool -> "
-     "curve|surface|trimsrf",
+     "x:curve|surface|trimsrf|poly d:num|curve tol:num interp:bool -> "
+     "curve|surface|trimsrf|poly",
      "The curve or surface at the distance d, within tol: plane curves to the "
      "right of their direction, curves of three coordinates towards their "
      "centre of curvature, surfaces along SNORMAL. Control points are moved "
      "and knots inserted; with interp a polynomial through offset points. d "
-     "may be a scalar curve. Corners are bridged.",
-     C "o = offset(c, 0.1, 0.001, off);", offset, 0, 20},
+     "may be a scalar curve. Corners are bridged. Of polylines in a plane "
+     "z = const and of planar polygons the edges are moved to their right; the "
+     "last arguments then ask for round corners (points every 10 degrees), or "
+     "for edges that go on until they meet (else a straight bevel). Loops are "
+     "not cut out.",
+     C "o = offset(c, 0.1, 0.001, off); "
+       "p = offset(poly(list(point(0,0,0), point(2,0,0), point(0,1,0)), false), "
+       "0.1, off, on);",
+     offset, 0, 20},
     {"AOFFSET", "c:curve d:num|curve eps:num trim:bool interp:bool -> curve",
      "As OFFSET of a curve; with trim on, loops nearer than d (less four times "
      "eps) are cut out and the rest joined. No value if nothing is left.",
