@@ -37,6 +37,21 @@ ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
 ix_status ix_isocline_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
                             double theta, ix_mv **out) IX_MUST_CHECK;
 
+/* Ruled surfaces of constant slope that go on from the isocline of theta
+ * (radians) where s is left, tangent to s: into the part where the angle is
+ * less (below) or more than theta. A ruling is the line of steepest slope in
+ * the tangent plane; it ends at the level, along view, of the farthest control
+ * point of s. tol as in ix_curves_opts.
+ *
+ * Out   *out  lines 2 i (points of s) and 2 i + 1 (ends of the rulings) of as
+ *             many points, in pieces where the rulings change sides; freed with
+ *             ix_lines_free
+ * Err   IX_EARG theta is 0 or 180 degrees, view is 0; IX_EDOMAIN no normal at a
+ *       point of the isocline, a control point at infinity */
+ix_status ix_isocline_drafts(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                             double theta, bool below, double tol,
+                             ix_lines *out) IX_MUST_CHECK;
+
 /* Where the scalar f is positive: closed polylines (u, v, 0), first vertex =
  * last, that are to be filled by parity (a point is inside if a ray from it
  * crosses them an odd number of times); tol as in ix_curves_opts.

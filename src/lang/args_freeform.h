@@ -81,8 +81,8 @@ ix_status ix__polyline_curve(ix_call *c, int n, int ncoords, const double *pts,
 ix_status ix__ret_lines(ix_call *c, const ix_lines *l,
                         ix_poly_kind kind) IX_MUST_CHECK;
 /* The part of a surface inside closed lines (u, v, 0), as a trimmed surface. */
-ix_status ix__ret_region(ix_call *c, const ix_mv *srf,
-                         const ix_lines *l) IX_MUST_CHECK;
+ix_status ix__region_obj(ix_ctx *ctx, const ix_mv *srf, const ix_lines *l,
+                         ix_obj **out) IX_MUST_CHECK;
 /* Solution curves over two parameters as polylines in the parameter plane (m
  * NULL) or on m; no value if there is none. */
 ix_status ix__ret_contours(ix_call *c, const ix_solution_curves *s,

@@ -341,14 +341,16 @@ static ix_status polarsil(ix_call *c)
     return along_vector(c, ix_polar_silhouette);
 }
 
-/* The part of m on which the angle is below theta (sign 1), or above it. */
+/* The part of m on which the angle is below theta (sign 1), or above it; NULL
+ * if there is none. */
 static ix_status isocline_region(ix_call *c, const ix_mv *m, const double *view,
-                                 double theta, double sign)
+                                 double theta, double sign, ix_obj **out)
 {
     ix_status st;
     ix_lines l;
     ix_mv *f, *g = NULL;
 
+    *out = NULL;
     IX_TRY(ix_isocline_field(c->ctx, m, view, theta, &f));
     st = ix_sym_dot_vector(c->ctx, f, &sign, &g);
     ix_mv_unref(c->ctx, f);
@@ -356,9 +358,56 @@ static ix_status isocline_region(ix_call *c, const ix_mv *m, const double *view,
     st = ix_positive_region(c->ctx, g, ix__contour_tolerance(c), &l);
     ix_mv_unref(c->ctx, g);
     IX_TRY(st);
-    st = l.n ? ix__ret_region(c, m, &l) : IX_OK;
+    st = l.n ? ix__region_obj(c->ctx, m, &l, out) : IX_OK;
     ix_lines_free(c->ctx, &l);
     return st;
+}
+
+/* The surface between two polylines of n points, linear in both directions. */
+static ix_status between_lines(ix_call *c, int n, const double (*p)[3],
+                               ix_obj **out)
+{
+    double kw[4] = {0, 0, 1, 1}, *kv, *pts;
+    ix_dir d[2] = {{IX_BSPLINE, 2, n, false, NULL},
+                   {IX_BSPLINE, 2, 2, false, kw}};
+    ix_mv *m;
+
+    IX_SCRATCH(c->ctx, kv, n + 2);
+    IX_SCRATCH(c->ctx, pts, 6 * (size_t)n);
+    for (int i = 0; i < n + 2; i++)
+        kv[i] = i < 1 ? 0 : i > n ? n - 1 : i - 1;
+    for (int i = 0; i < 6 * n; i++)
+        pts[i] = p[i % (2 * n)][i / (2 * n)];
+    d[0].knots = kv;
+    IX_TRY(ix_mv_new(c->ctx, 2, d, 3, false, pts, &m));
+    *out = ix__obj_mv(c->ctx, IX_OBJ_SURFACE, m);
+    return *out ? IX_OK : IX_ENOMEM;
+}
+
+/* The region and, behind it, the ruled surfaces that go on from it. */
+static ix_status isocline_drafts(ix_call *c, const ix_mv *m, const double *view,
+                                 double theta, ix_obj *region, int mode)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+    const double(*p)[3];
+    ix_lines l = {0};
+
+    if (region && st == IX_OK)
+        st = ix__list_add(c->ctx, list, ix__obj_ref(region));
+    if (st == IX_OK)
+        st = ix_isocline_drafts(c->ctx, m, view, theta, mode < 0,
+                                ix__contour_tolerance(c), &l);
+    p = (const double(*)[3])l.pt;
+    for (int i = 0; st == IX_OK && i < l.n; p += 2 * l.count[i], i += 2) {
+        ix_obj *ruled = NULL;
+
+        st = between_lines(c, l.count[i], p, &ruled);
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, ruled);
+    }
+    ix_lines_free(c->ctx, &l);
+    return ix__ret_list(c, list, st);
 }
 
 static ix_status isocline(ix_call *c)
@@ -366,12 +415,20 @@ static ix_status isocline(ix_call *c)
     const ix_mv *m = ix__arg_mv(c, 0);
     double view[3], theta = ix__arg_num(c, 2) * (acos(-1) / 180);
     ix_solution_curves s;
+    ix_obj *region;
+    ix_status st;
     int mode;
 
     IX_TRY(ix__arg_vec3(c, 1, view));
-    IX_TRY(ix__arg_int(c, 4, -1, 1, &mode));
-    if (mode)
-        return isocline_region(c, m, view, theta, mode);
+    IX_TRY(ix__arg_int(c, 4, -2, 2, &mode));
+    if (mode) {
+        IX_TRY(isocline_region(c, m, view, theta, mode, &region));
+        if (mode == 1 || mode == -1)
+            return region ? ix__ret(c, region) : IX_OK;
+        st = isocline_drafts(c, m, view, theta, region, mode);
+        ix__obj_unref(c->ctx, region);
+        return st;
+    }
     return ret_on_surface(
         c, ix_isocline(c->ctx, m, view, theta, ix__contour_tolerance(c), &s),
         &s, m, 3);
@@ -430,14 +487,19 @@ const ix_builtin ix__builtins_distance[] = {
      "the surface or, with euclid off, in its parameters.",
      S "o = silhouette(s, vector(1, 1, 0), true);", silhouette, 0, 13},
     {"ISOCLINE",
-     "s:surface dir:pv theta:num euclid:bool mode:num -> poly|trimsrf",
+     "s:surface dir:pv theta:num euclid:bool mode:num -> poly|trimsrf|list",
      "Where the line of the normal of a surface makes the angle theta "
      "(degrees) "
      "with dir: mode 0 the curves, as SILHOUETTE; mode 1 the part of the "
      "surface, trimmed, in which the angle is less (of 90 degrees: the normal "
-     "points along dir), mode -1 the rest of it. No value if there is none.",
+     "points along dir), mode -1 the rest of it. No value if there is none. "
+     "Modes 2 and -2 give a list of that part and of ruled surfaces of "
+     "constant "
+     "slope that go on from it, tangent to it, where the rest is cut off: to "
+     "the level, along dir, of the farthest control point.",
      S "o = isocline(s, vector(0, 0, 1), 30, true, 0); "
-       "t = isocline(s, vector(0, 0, 1), 40, true, 1);",
+       "t = isocline(s, vector(0, 0, 1), 40, true, 1); "
+       "l = isocline(s, vector(0, 0, 1), 40, true, -2);",
      isocline, 0, 13},
     {"POLARSIL", "s:surface axis:pv euclid:bool -> poly",
      "Where (S x normal) is perpendicular to axis: the silhouette that the "

@@ -141,8 +141,7 @@ static ix_status polygon_offset(ix_call *c, int which, const ix_polygon *pg,
                                &out));
     if (ends)
         memcpy(out[m++], out[0], sizeof *out);
-    return ix__polygon_fill(c->ctx, to, pg->kind, m,
-                            (const double(*)[3])out);
+    return ix__polygon_fill(c->ctx, to, pg->kind, m, (const double(*)[3])out);
 }
 
 static ix_status poly_offset(ix_call *c)
@@ -352,9 +351,10 @@ const ix_builtin ix__builtins_offset[] = {
      "last arguments then ask for round corners (points every 10 degrees), or "
      "for edges that go on until they meet (else a straight bevel). Loops are "
      "not cut out.",
-     C "o = offset(c, 0.1, 0.001, off); "
-       "p = offset(poly(list(point(0,0,0), point(2,0,0), point(0,1,0)), false), "
-       "0.1, off, on);",
+     C
+     "o = offset(c, 0.1, 0.001, off); "
+     "p = offset(poly(list(point(0,0,0), point(2,0,0), point(0,1,0)), false), "
+     "0.1, off, on);",
      offset, 0, 20},
     {"AOFFSET", "c:curve d:num|curve eps:num trim:bool interp:bool -> curve",
      "As OFFSET of a curve; with trim on, loops nearer than d (less four times "

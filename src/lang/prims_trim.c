@@ -179,25 +179,28 @@ static ix_status through_points(ix_ctx *ctx, int n, const double (*p)[3],
     return ix_mv_new(ctx, 1, &d, 2, false, pts, out);
 }
 
-ix_status ix__ret_region(ix_call *c, const ix_mv *srf, const ix_lines *l)
+ix_status ix__region_obj(ix_ctx *ctx, const ix_mv *srf, const ix_lines *l,
+                         ix_obj **out)
 {
     const double(*p)[3] = (const double(*)[3])l->pt;
-    ix_trimsrf *t = ix__trimsrf_new(c->ctx, srf, l->n);
+    ix_trimsrf *t = ix__trimsrf_new(ctx, srf, l->n);
     ix_status st = t ? IX_OK : IX_ENOMEM;
 
     for (int i = 0; st == IX_OK && i < l->n; p += l->count[i], i++) {
         ix_mv *uv = NULL;
 
-        st = ix__trimloop_segs(c->ctx, &t->loop[i], 1);
+        st = ix__trimloop_segs(ctx, &t->loop[i], 1);
         if (st == IX_OK)
-            st = through_points(c->ctx, l->count[i], p, &uv);
+            st = through_points(ctx, l->count[i], p, &uv);
         if (st == IX_OK)
             t->loop[i].seg[0].uv = uv;
     }
-    if (st == IX_OK)
-        return ix__ret(c, ix__obj_trimsrf(c->ctx, t));
+    if (st == IX_OK) {
+        *out = ix__obj_trimsrf(ctx, t);
+        return *out ? IX_OK : IX_ENOMEM;
+    }
     if (t)
-        ix__trimsrf_unref(c->ctx, t);
+        ix__trimsrf_unref(ctx, t);
     return st;
 }
 

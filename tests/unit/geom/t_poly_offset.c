@@ -1,6 +1,6 @@
 /* Offsets of polygons: areas by Steiner's formulas, distances of vertices. */
-#include "geom/poly_offset.h"
 #include "base/ctx.h"
+#include "geom/poly_offset.h"
 #include "geom/vec3.h"
 #include "harness/test.h"
 
@@ -130,7 +130,7 @@ static void areas(void **state)
 static void open_lines(void **state)
 {
     const double up[3] = {0, 0, 1};
-    const double p[6][3] = {{0, 0, 1}, {2, 0, 1}, {2, 0, 1},
+    const double p[6][3] = {{0, 0, 1}, {2, 0, 1},    {2, 0, 1},
                             {2, 2, 1}, {2.01, 0, 1}, {2.01, 0, 1}};
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
     ix_mark mk = ix__scratch_mark(ctx);
