@@ -126,6 +126,9 @@ typedef struct {
                    they cannot hold: what the curves that are wanted
                    fulfil, and a set of other solutions does not. Curves
                    on which they fail elsewhere are not cut */
+    int crowd;  /* undecided cells after which cell doubles; 0: 64, which a
+                   singular point in 4 unknowns at which several curves touch
+                   may exceed */
 } ix_curves_opts;
 
 typedef enum {

@@ -60,22 +60,39 @@ static void same_plane(ix_pool *q, const patch *a, const patch *b, ix__vec n,
     f[2] = ix__vec_dot(q, ix__vec_between(q, a->p, b->p), n);
 }
 
-ix_status ix__srf_bitangents(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
-                             double tol, ix_solution_curves *out)
+static ix_status bitangents(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                            const ix_curves_opts *o, ix_solution_curves *out)
 {
-    const ix_curves_opts o = {.tol = tol, .max_boxes = MAX_BOXES};
     ix_pool q = {.ctx = ctx};
     const ix_mv *f[3];
     double dom[4][2];
     patch s[2];
 
-    *out = (ix_solution_curves){.unknowns = 0};
-    IX_TRY(check(ctx, a, 2, "surface"));
-    IX_TRY(check(ctx, b, 2, "surface"));
     s[0] = load(&q, a, 4, 0, dom);
     s[1] = load(&q, b, 4, 2, dom);
     same_plane(&q, &s[1], &s[0], s[1].n, f);
-    return ix__unit_curves(&q, 3, f, (const double(*)[2])dom, &o, out);
+    return ix__unit_curves(&q, 3, f, (const double(*)[2])dom, o, out);
+}
+
+/* Of surfaces with a symmetry (moved copies of each other, say) several curves
+ * touch in points, around which cells must be so much smaller than their
+ * distance from it that the budget does not reach down to the smallest: these
+ * points are located to a hundredth of the domain then. */
+ix_status ix__srf_bitangents(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
+                             double tol, ix_solution_curves *out)
+{
+    const ix_curves_opts fine = {.tol = tol, .max_boxes = MAX_BOXES};
+    const ix_curves_opts coarse = {
+        .tol = tol, .cell = 0.01, .crowd = 2048, .max_boxes = 5 * MAX_BOXES};
+
+    *out = (ix_solution_curves){.unknowns = 0};
+    IX_TRY(check(ctx, a, 2, "surface"));
+    IX_TRY(check(ctx, b, 2, "surface"));
+    IX_TRY(bitangents(ctx, a, b, &fine, out));
+    if (out->complete)
+        return IX_OK;
+    ix_solution_curves_free(ctx, out);
+    return bitangents(ctx, a, b, &coarse, out);
 }
 
 ix_status ix__srf_tritangents(ix_ctx *ctx, const ix_mv *const s[3],

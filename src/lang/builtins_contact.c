@@ -26,6 +26,26 @@ static void remark_open(ix_call *c, bool complete, size_t boxes)
                    boxes);
 }
 
+#define FINE 1e-4 /* of the domain: a place that needs no remark */
+
+/* Where curves end at places that are known only roughly. */
+static void remark_rough(ix_call *c, const ix_solution_curves *s)
+{
+    double widest = 0;
+
+    for (int i = 0; i < s->nsingular; i++)
+        for (int j = 0; j < s->unknowns; j++)
+            widest = fmax(widest, s->singular[i].hi[j] - s->singular[i].lo[j]);
+    if (s->complete && widest > 0.9)
+        ix__remark(c->in, "the conditions hold everywhere, or nearly");
+    else if (s->complete && widest > FINE)
+        ix__remark(c->in,
+                   "the conditions depend on each other near %d points: curves "
+                   "that meet there end before, up to %.2g of the parameters "
+                   "away",
+                   s->nsingular, widest);
+}
+
 /* --- curves of parameters
  * ------------------------------------------------------ */
 
@@ -67,6 +87,7 @@ static ix_status ret_curves(ix_call *c, ix_solution_curves *s, view v,
     ix_status st = list ? IX_OK : IX_ENOMEM;
 
     remark_open(c, s->complete, s->boxes);
+    remark_rough(c, s);
     v.unknowns = s->unknowns;
     for (int i = 0; st == IX_OK && i < s->ncurves; i++) {
         const ix_solution_curve *k = &s->curve[i];

@@ -131,7 +131,7 @@ ix_status ix__open_box(ix__task *t, const ix__box *b, ix__found *f)
         r.hi[j] = b->hi[j] + drift;
         r.x[j] = 0.5 * (b->lo[j] + b->hi[j]);
     }
-    if (++t->open % CROWD == 0) {
+    if (++t->open % (t->crowd ? t->crowd : CROWD) == 0) {
         t->cell *= 2;
         t->crowded |= t->cell >= CROWDED;
     }

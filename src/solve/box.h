@@ -36,6 +36,7 @@ typedef struct {
     size_t max_boxes, boxes;
     double edge[IX_MAX_UNKNOWNS]; /* lengths of the whole domain */
     int open;                     /* undecided boxes reported */
+    int crowd;                    /* so many of them count as a crowd; 0: 64 */
     bool keep;                    /* on interruption what is open is reported */
     bool interrupted;             /* that has happened */
     bool crowded;
@@ -70,7 +71,7 @@ double ix__box_part(const ix__task *t, const ix__box *b, int j);
  * leaves SHRUNK = 0.7 at most. */
 double ix__box_drift(const ix__task *t, const ix__box *b, int j);
 
-/* Adds b as an undecided solution. When CROWD of them have come, the smallest
+/* Adds b as an undecided solution. When a crowd of them has come, the smallest
  * size doubles, and so on: isolated solutions, however degenerate, leave few,
  * a common curve of the equations thousands. */
 ix_status ix__open_box(ix__task *t, const ix__box *b,

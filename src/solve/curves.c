@@ -20,6 +20,7 @@ static void set_up(ix_ctx *ctx, int neq, const ix_equation *eq,
         t->neq += eq[i].rel == IX_EQUAL_ZERO;
     t->cell = o && o->cell > 0 ? o->cell : 1e-6;
     t->max_boxes = o && o->max_boxes ? o->max_boxes : 1000000;
+    t->crowd = o && o->crowd > 0 ? o->crowd : 0;
     s->tol = o && o->tol > 0 ? o->tol : 1e-4;
     ix__patches_shape(p, &t->shape, t->edge);
     for (int j = 0; j < s->n; j++) {

@@ -260,9 +260,10 @@ static bool on_patch(const ix__curves *s, const ix__box *b, int j, bool high)
 /* n = 2: the face is an edge with one polynomial. *ok false: undecided. A
  * touching root inside the patch is undecided too: another cut will miss it,
  * or it comes from branches that the coefficients cannot tell apart. */
-static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
+static ix_status edge_points(search *q, const graph *g, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
 {
+    const ix__box *b = g->b;
     ix__curves *s = q->s;
     ix_mark mk = ix__scratch_mark(s->t.ctx);
     int d = s->t.shape.dims[1 - j] - 1;
@@ -289,10 +290,21 @@ static ix_status edge_points(search *q, const ix__box *b, int j, bool high,
     return st;
 }
 
+/* Where the curve touches a face of the patch, the point is known to the root
+ * of rounding only: it is moved onto the curve. */
+static void improve(search *q, const graph *g, ix__pt *p)
+{
+    ix__pt x = *p;
+
+    if (correct(q, g, x.x) < 1e-6 && inside(q->s, x.x, 1e-12))
+        *p = x;
+}
+
 /* n > 2: a system of n - 1 equations on the face. */
-static ix_status face_points(search *q, const ix__box *b, int j, bool high,
+static ix_status face_points(search *q, const graph *g, int j, bool high,
                              ix__pt *list, int *count, bool *ok)
 {
+    const ix__box *b = g->b;
     ix__curves *s = q->s;
     ix_mark mk = ix__scratch_mark(s->t.ctx);
     ix__found found = {.ctx = s->t.ctx};
@@ -320,6 +332,8 @@ static ix_status face_points(search *q, const ix__box *b, int j, bool high,
     for (int i = 0; st == IX_OK && i < found.n; i++) {
         *ok &= (found.sol[i].certified || on_patch(s, b, j, high)) &&
                add_face_point(s, j, high, found.sol[i].x, list, count);
+        if (*ok && !found.sol[i].certified)
+            improve(q, g, &list[*count - 1]);
     }
     *ok &= sys.t.boxes < sys.t.max_boxes && !sys.t.crowded;
     ix__scratch_release(s->t.ctx, mk);
@@ -339,7 +353,7 @@ static ix_status all_face_points(search *q, const graph *g, ix__pt *list,
         for (int high = 0; high <= 1; high++)
             if (g->in[j] != (high ? 1 : -1))
                 IX_TRY((n == 2 ? edge_points : face_points)(
-                    q, g->b, j, high != 0, list, count, ok));
+                    q, g, j, high != 0, list, count, ok));
     for (int i = 1; i < *count; i++) {
         ix__pt t = list[i];
         int k = i;

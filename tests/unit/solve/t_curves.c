@@ -344,7 +344,28 @@ static void more_unknowns(void **state)
          -1.4,
          1.5,
          0,
-         0}};
+         0},
+        {"an arc in a face of the domain",
+         3,
+         {"z*(x + 2)", "y - x^2"},
+         0,
+         1,
+         0,
+         1},
+        {"a loop in a face of the domain",
+         3,
+         {"z + 0.5*z*x", "(x - 0.5)^2 + (y - 0.4)^2 - 0.09"},
+         0,
+         1,
+         1,
+         0},
+        {"an arc in two faces",
+         4,
+         {"y*(1 + x)", "w + y*z", "x - 0.8*z^2 - 0.1 + w"},
+         0,
+         1,
+         0,
+         1}};
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
