@@ -352,8 +352,8 @@ static ix_status all_face_points(search *q, const graph *g, ix__pt *list,
     for (int j = 0; j < n; j++)
         for (int high = 0; high <= 1; high++)
             if (g->in[j] != (high ? 1 : -1))
-                IX_TRY((n == 2 ? edge_points : face_points)(
-                    q, g, j, high != 0, list, count, ok));
+                IX_TRY((n == 2 ? edge_points : face_points)(q, g, j, high != 0,
+                                                            list, count, ok));
     for (int i = 1; i < *count; i++) {
         ix__pt t = list[i];
         int k = i;
