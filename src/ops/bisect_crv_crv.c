@@ -40,6 +40,11 @@ static void both_sides(const ix__set *s, int i, double u, double step,
     }
 }
 
+/* Branches whose feet stay near a crossing, or near an end where one curve goes
+ * on from the other, may be as short as that on the curve. */
+static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+enum { STEPS = sizeof steps / sizeof *steps };
+
 static void add_crossing(const ix__set *s, int curve, double t, places *out)
 {
     for (int i = 0; i < s->nspans; i++) {
@@ -47,14 +52,14 @@ static void add_crossing(const ix__set *s, int curve, double t, places *out)
         double u = (t - sp->t[0]) / (sp->t[1] - sp->t[0]);
 
         if (sp->curve == curve && u > -1e-9 && u < 1.0 + 1e-9) {
-            both_sides(s, i, u, 1e-7, out);
-            both_sides(s, i, u, 1e-4, out);
+            for (int k = 0; k < STEPS; k++)
+                both_sides(s, i, u, steps[k], out);
         }
     }
 }
 
-/* Eight places for each span that a crossing touches, two at a joint. */
-enum { PER_CROSSING = 16 };
+/* Two sides, two directions, and two spans at a joint. */
+enum { PER_CROSSING = 8 * STEPS };
 
 static ix_status crossings(ix_ctx *ctx, const ix__set *s, int curve,
                            const ix_mv *a, const ix_mv *b, places *out)

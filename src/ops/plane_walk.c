@@ -10,9 +10,14 @@
  * of the radius count as one: the depth between them is of fourth order, so
  * that they are not known to more than (1e-14)^(1/4), and a margin. */
 #define ONE_FOOT 1e-2
-/* With two sets: as near as this only where one curve goes on from the other,
- * or where they cross at no larger angle. */
-#define TOUCHING 4e-3
+/* With two sets, feet nearer than this part of the radius are looked at: what
+ * is beside the centre tells whether it is on the bisector. */
+#define TOUCHING   4e-3
+#define ASIDE      1e-5  /* so far beside, below any tolerance that is usual */
+#define ASIDE_FAR  1e-2  /* times the radius: there the bisector is straight */
+#define TOLD_APART 2e-14 /* distances differ by more than their rounding */
+/* Vertices no farther apart are one (as in plane_set.c). */
+#define COMMON_END 1e-11
 /* A radius below this counts as a point that both sets have in common. */
 #define COMMON 1e-13
 /* Intervals of a border element are halved down to this. */
@@ -89,14 +94,10 @@ static void other_foot(const ix__set *s, ix__sample *o)
 }
 
 /* Is the foot one that both sets have in common? */
-static bool in_common(const ix__walk *w, const ix__border *e,
-                      const ix__sample *o)
+static bool in_common(const ix__walk *w, const ix__sample *o)
 {
-    if (w->own == w->other)
-        return false;
-    if (e->kind == IX__FAN && w->own->vertex[e->index].shared)
-        return true;
-    return o->vertex >= 0 && w->other->vertex[o->vertex].shared;
+    return w->own != w->other && o->vertex >= 0 &&
+           w->other->vertex[o->vertex].shared;
 }
 
 /* Derivative of the own side: unit tangent in the sense of the walk, |x'|, and
@@ -144,7 +145,9 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
         m[1] = o->n[1] + n[1];
         len = hypot(m[0], m[1]);
     }
-    along = (m[0] * t[0] + m[1] * t[1]) / len;
+    o->along[0] = m[0] / len;
+    o->along[1] = m[1] / len;
+    along = o->along[0] * t[0] + o->along[1] * t[1];
     o->speed = move / fabs(along);
     o->rate = 0.0;
     if (o->vertex >= 0)
@@ -156,16 +159,44 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
               (v * (1.0 - k * o->r));
 }
 
+/* Distance from the own set less that from the other one, along from b. */
+static double beside(const ix__walk *w, const ix__sample *o, const double m[2],
+                     double along)
+{
+    double x[2] = {o->b[0] + along * m[0], o->b[1] + along * m[1]};
+
+    return ix__set_distance(w->own, x, NULL) -
+           ix__set_distance(w->other, x, NULL);
+}
+
+/* Where both feet are near each other, the curves going on from one another or
+ * crossing at a small angle: is one side of b nearer to the one set and the
+ * other side to the other, by more than rounding? */
+static bool separates(const ix__walk *w, const ix__sample *o)
+{
+    double m[2] = {o->x[0] - o->c[0], o->x[1] - o->c[1]};
+    double len = hypot(m[0], m[1]), size = fmax(o->r, 1.0);
+    double h = o->r > FAR ? ASIDE_FAR * o->r : ASIDE;
+
+    if (!(len > 0.0))
+        return false;
+    m[0] /= len;
+    m[1] /= len;
+    return beside(w, o, m, -h) < -TOLD_APART * size &&
+           beside(w, o, m, h) > TOLD_APART * size;
+}
+
 /* Is the own foot on the other set too (the curves are the same there), or are
- * both feet one, on curves that go on smoothly from each other? */
+ * both feet one as far as can be told? */
 static bool on_both(const ix__walk *w, const ix__sample *o)
 {
     if (w->own == w->other)
         return false;
-    if (hypot(o->x[0] - o->c[0], o->x[1] - o->c[1]) <=
-        TOUCHING * fmin(o->r, 1.0))
+    if (ix__set_distance(w->other, o->c, NULL) <= COMMON)
         return true;
-    return ix__set_distance(w->other, o->c, NULL) <= COMMON;
+    return hypot(o->x[0] - o->c[0], o->x[1] - o->c[1]) <=
+               TOUCHING * fmin(o->r, 1.0) &&
+           !separates(w, o);
 }
 
 static double way(const ix__set *s, const ix__touch *a, const ix__touch *b);
@@ -192,7 +223,7 @@ static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
     for (int k = 0; k < 2; k++)
         o->b[k] = o->c[k] + o->r * o->n[k];
     other_foot(w->other, o);
-    if (in_common(w, e, o) || (w->meeting && on_both(w, o)))
+    if (in_common(w, o) || (w->meeting && on_both(w, o)))
         return;
     if (w->own != w->other &&
         ix__set_blocks(w->own, o->c, o->n, IX__OWN_DEPTH, &block)) {
@@ -211,6 +242,8 @@ void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
     ix__sample o = {.border = border, .at = at, .vertex = -1};
 
     *out = o;
+    if (e->kind == IX__FAN && w->own->vertex[e->index].shared)
+        return; /* all centres have this vertex as foot on both */
     own_frame(w->own, e, at, &o);
     if (!isfinite(o.c[0] + o.c[1] + o.n[0] + o.n[1]))
         return;
@@ -383,6 +416,19 @@ static bool turns(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     return d[0] * d[1] < 0.0;
 }
 
+/* Is the bisector within tol of the chord from a to b? It is a cubic there, as
+ * good as: with the sines p, q of the angles between the chord of length l and
+ * both tangents it is l (p s (1-s)^2 + q s^2 (1-s)) away from it, s from 0 to
+ * 1, and either product is 4/27 at most. */
+static bool chord(const ix__sample *a, const ix__sample *b, double tol)
+{
+    double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
+    double p = fabs(d[0] * a->along[1] - d[1] * a->along[0]);
+    double q = fabs(d[0] * b->along[1] - d[1] * b->along[0]);
+
+    return 4.0 / 27.0 * (p + q) <= tol;
+}
+
 static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
                  const ix__sample *b)
 {
@@ -395,6 +441,9 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
         return false;
     if (len <= w->tol * size)
         return hypot(e[0], e[1]) <= w->tol * size;
+    if (!a->own_circle &&
+        !(chord(a, m, w->tol * size) && chord(m, b, w->tol * size)))
+        return false;
     return fabs(d[0] * e[1] - d[1] * e[0]) <= w->tol * size * len &&
            part >= 0.04 * len * len && part <= 0.96 * len * len;
 }
@@ -534,6 +583,122 @@ static ix_status walk_border(sink *k, int border, int nseeds,
     return IX_OK;
 }
 
+/* --- common normals ---------------------------------------------------------
+ *
+ * Where one curve goes on smoothly from the other at a common end the fans of
+ * both have one normal in common. Its points have the end as foot on both, one
+ * side of it is nearer to the one curve, the other side to the other. */
+
+/* Beyond this radius, or with less curvature, a normal goes on to infinity. */
+#define NORMAL_REACH 20.0
+#define STRAIGHT     1e-12
+/* Normals that differ by no more, of smooth joints, are one. */
+#define SAME_NORMAL 1e-9
+
+/* Vertex v of s as a foot: an end of a span. */
+static ix__touch vertex_foot(const ix__set *s, int v)
+{
+    int i = 0;
+
+    while (s->span[i].vertex[0] != v && s->span[i].vertex[1] != v)
+        i++;
+    return (ix__touch){0.0, i, s->span[i].vertex[0] == v ? 0.0 : 1.0};
+}
+
+/* Does a fan of s at x lie on the other side of the normal n, beginning with
+ * it (e 0) or ending (1)? Its vertex, or -1. */
+static int fan_beside(const ix__set *s, const double x[2], const double n[2],
+                      int e)
+{
+    for (int i = 0; i < s->nborders; i++) {
+        const ix__border *b = &s->border[i];
+        double a = e ? b->to : b->from, m[2] = {cos(a), sin(a)};
+        const double *y;
+
+        if (b->kind != IX__FAN)
+            continue;
+        y = s->vertex[b->index].x;
+        if (hypot(x[0] - y[0], x[1] - y[1]) <= COMMON_END &&
+            hypot(m[0] - n[0], m[1] - n[1]) <= SAME_NORMAL)
+            return b->index;
+    }
+    return -1;
+}
+
+/* The curvature towards n of the spans of s that end in vertex v. */
+static double end_curvature(const ix__set *s, int v, const double n[2])
+{
+    double big = 0.0;
+
+    for (int i = 0; i < s->nspans; i++)
+        for (int e = 0; e < 2; e++) {
+            double d[3][2], k;
+
+            if (s->span[i].vertex[e] != v)
+                continue;
+            ix__span_at(s, &s->span[i], e, d);
+            k = (d[2][0] * n[0] + d[2][1] * n[1]) /
+                (d[1][0] * d[1][0] + d[1][1] * d[1][1]);
+            if (k > big && fabs(d[1][0] * n[0] + d[1][1] * n[1]) <=
+                               1e-6 * hypot(d[1][0], d[1][1]))
+                big = k;
+        }
+    return big;
+}
+
+/* The part of the common normal, if there is one, at the beginning (end 0) or
+ * the end (1) of a fan: from where another point is as near down to the vertex,
+ * or back. */
+static ix_status common_normal(sink *k, int border, int end)
+{
+    const ix__walk *w = k->w;
+    const ix__border *e = &w->own->border[border];
+    ix__sample o = {.border = border, .at = end, .valid = true, .normal = true};
+    ix__sample beyond = {.border = border, .at = end, .vertex = -1};
+    ix__touch t = {.span = -1};
+    double r;
+
+    own_frame(w->own, e, end, &o);
+    o.vertex = fan_beside(w->other, o.c, o.n, 1 - end);
+    if (o.vertex < 0)
+        return IX_OK;
+    o.foot = vertex_foot(w->other, o.vertex);
+    memcpy(o.x, o.c, sizeof o.x);
+    t.kappa = fmax(end_curvature(w->own, e->index, o.n),
+                   end_curvature(w->other, o.vertex, o.n));
+    ix__set_touch(w->other, o.c, o.n, IX__DEPTH, &t);
+    t.span = -1;
+    ix__set_touch(w->own, o.c, o.n, IX__DEPTH, &t);
+    if (!isfinite(t.kappa))
+        return IX_OK;
+    beyond.blocked = t.span >= 0;
+    beyond.foot = t;
+    beyond.far = !(t.kappa > STRAIGHT);
+    r = beyond.far ? NORMAL_REACH : 1.0 / t.kappa;
+    if (end == 0)
+        IX_TRY(emit(k, &beyond));
+    for (int i = 0; i < 2; i++) {
+        o.r = i == end ? r : 0.0;
+        o.b[0] = o.c[0] + o.r * o.n[0];
+        o.b[1] = o.c[1] + o.r * o.n[1];
+        IX_TRY(emit(k, &o));
+    }
+    return end == 1 ? emit(k, &beyond) : IX_OK;
+}
+
+static ix_status walk_element(sink *k, int border, int nseeds,
+                              const ix__place *seeds)
+{
+    bool fan = k->w->own != k->w->other &&
+               k->w->own->border[border].kind == IX__FAN &&
+               k->w->own->vertex[k->w->own->border[border].index].shared;
+
+    if (fan)
+        IX_TRY(common_normal(k, border, 0));
+    IX_TRY(walk_border(k, border, nseeds, seeds));
+    return fan ? common_normal(k, border, 1) : IX_OK;
+}
+
 ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
                         const ix__place *seeds, int *n, ix__sample **out)
 {
@@ -548,7 +713,7 @@ ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
             first++;
         for (end = first; end < nseeds && seeds[end].border == i; end++)
             ;
-        IX_TRY(walk_border(&k, i, end - first, seeds + first));
+        IX_TRY(walk_element(&k, i, end - first, seeds + first));
     }
     *n = k.n;
     *out = k.s;
@@ -605,31 +770,6 @@ static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
     return IX_OK;
 }
 
-/* Where the own set blocks, the bisector goes on from what blocks it: a place
- * on either side of it. */
-static ix_status seeds_from_blocks(const ix__walk *w, int n,
-                                   const ix__sample *s, places *l)
-{
-    for (int i = 0; i < n; i++) {
-        const ix__sample *a = &s[i], *b = &s[(i + 1) % n], *bad, *good;
-        ix__place p;
-
-        if (a->valid == b->valid)
-            continue;
-        good = a->valid ? a : b;
-        bad = a->valid ? b : a;
-        if (!bad->blocked || !ix__border_place(w->own, &bad->foot, good->b, &p))
-            continue;
-        for (int k = -1; k <= 1; k++) {
-            ix__place q = {p.border, p.at + k * 1e-7};
-
-            if (q.at > 0.0 && q.at < 1.0)
-                IX_TRY(add_place(l, q));
-        }
-    }
-    return IX_OK;
-}
-
 /* --- runs ------------------------------------------------------------------
  */
 
@@ -646,29 +786,41 @@ static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     return ea->kind == IX__SIDE || ea->index == eb->index;
 }
 
+/* Feet so near each other that the centre is known to half the digits. */
+static bool near_feet(const ix__sample *a)
+{
+    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]) <=
+           TOUCHING * fmin(a->r, 1.0);
+}
+
 static bool meets(const ix__sample *a, const ix__sample *b)
 {
+    double tol = near_feet(a) || near_feet(b) ? 1e-6 : 1e-7;
+
     return hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <=
-           1e-7 * fmax(1.0, hypot(a->b[0], a->b[1]));
+           tol * fmax(1.0, a->b[0] * a->b[0] + a->b[1] * a->b[1]);
 }
 
 /* Length along the samples: runs between two neighbours in double are none, nor
- * those at infinity that are one place of the border. */
+ * those at infinity that are one place of the border, nor those that rounding
+ * makes of a place where both feet come together. */
 static bool has_length(const ix__walked *o, const ix__run *r)
 {
     const ix__sample *first = ix__run_at(o, r, 0);
     const ix__sample *last = ix__run_at(o, r, r->count - 1);
-    double len = 0.0;
+    bool vague = near_feet(first) && !first->own_circle && first->r > 1e-6;
+    double len = 0.0, least = vague ? 1e-7 : 1e-11;
 
+    if (first->normal)
+        return true;
     if (first->border == last->border && fabs(last->at - first->at) <= 1e-12)
         return false;
+    for (int i = 1; i < r->count && len <= least; i++) {
+        const ix__sample *b = ix__run_at(o, r, i);
 
-    for (int i = 1; i < r->count && len <= 1e-11; i++) {
-        const ix__sample *a = ix__run_at(o, r, i - 1), *b = ix__run_at(o, r, i);
-
-        len += hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
+        len = fmax(len, hypot(b->b[0] - first->b[0], b->b[1] - first->b[1]));
     }
-    return len > 1e-11;
+    return len > least;
 }
 
 static void add_run(ix__walked *o, ix__run r)
@@ -726,6 +878,74 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
     }
 }
 
+/* Is the place in a run, or would it be no centre? */
+static bool explored(const ix__walk *w, const ix__walked *o, ix__place p)
+{
+    ix__sample s;
+
+    for (int i = 0; i < o->nloops; i++) {
+        const ix__loop *l = &w->own->loop[i];
+        const ix__sample *at = o->samples[i];
+        int lo = 0, hi = o->counts[i] - 1;
+
+        if (p.border < l->first || p.border >= l->first + l->count || hi < 1)
+            continue;
+        while (hi - lo > 1) {
+            int m = (lo + hi) / 2;
+            ix__place q = {at[m].border, at[m].at};
+
+            if (by_place(&q, &p) <= 0)
+                lo = m;
+            else
+                hi = m;
+        }
+        if (joins(w, &at[lo], &at[hi]))
+            return true;
+    }
+    ix__walk_sample(w, p.border, p.at, &s);
+    return !s.valid;
+}
+
+/* Places around p on which nothing is known; *added counts them. The place
+ * itself is where three feet are equally far, known to 1e-7 where the circle
+ * touches at the end of one of the curves. */
+static ix_status unexplored(const ix__walk *w, const ix__walked *o, ix__place p,
+                            places *l, int *added)
+{
+    static const double step[] = {0, 1e-7, -1e-7, 1e-5, -1e-5, 1e-3, -1e-3};
+
+    for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
+        ix__place q = {p.border, p.at + step[i]};
+
+        if (!(q.at > 0.0 && q.at < 1.0) || explored(w, o, q))
+            continue;
+        IX_TRY(add_place(l, q));
+        ++*added;
+    }
+    return IX_OK;
+}
+
+/* Where the own set blocks, the bisector goes on from what blocks it. */
+static ix_status seeds_from_blocks(const ix__walk *w, const ix__walked *o,
+                                   int loop, places *l, int *added)
+{
+    const ix__sample *s = o->samples[loop];
+    int n = o->counts[loop];
+
+    for (int i = 0; i < n; i++) {
+        const ix__sample *a = &s[i], *b = &s[(i + 1) % n], *bad, *good;
+        ix__place p;
+
+        if (a->valid == b->valid)
+            continue;
+        good = a->valid ? a : b;
+        bad = a->valid ? b : a;
+        if (bad->blocked && ix__border_place(w->own, &bad->foot, good->b, &p))
+            IX_TRY(unexplored(w, o, p, l, added));
+    }
+    return IX_OK;
+}
+
 static ix_status walk_loops(ix_ctx *ctx, const ix__walk *w, places *seeds,
                             ix__walked *out)
 {
@@ -759,14 +979,13 @@ ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
         IX_TRY(seeds_from_other(ctx, w, &seeds));
     IX_TRY(walk_loops(ctx, w, &seeds, out));
     for (int i = 0; w->own != w->other && i < ROUNDS; i++) {
-        int runs = out->nruns;
+        int added = 0;
 
         for (int j = 0; j < out->nloops; j++)
-            IX_TRY(
-                seeds_from_blocks(w, out->counts[j], out->samples[j], &seeds));
-        IX_TRY(walk_loops(ctx, w, &seeds, out));
-        if (out->nruns == runs)
+            IX_TRY(seeds_from_blocks(w, out, j, &seeds, &added));
+        if (added == 0)
             break;
+        IX_TRY(walk_loops(ctx, w, &seeds, out));
     }
     return IX_OK;
 }

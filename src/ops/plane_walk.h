@@ -15,6 +15,8 @@ typedef struct {
     bool own_circle;   /* valid, and the circle is that of curvature: the second
                           foot is the own one, or so near that they cannot be
                           told apart */
+    bool normal;       /* valid, on the common normal of two ends: there each r
+                          from 0 on counts */
     bool blocked;      /* not valid: the own set is in the circle, at foot */
     double c[2], n[2]; /* own foot, unit vector towards the centre */
     double x[2];       /* other foot */
@@ -22,6 +24,7 @@ typedef struct {
     ix__touch foot;    /* on the other set; if blocked, on the own one */
     int vertex, side;  /* of the other foot: vertex or -1, side of its span */
     double speed, rate; /* of the centre and of the other foot, by at */
+    double along[2];    /* unit tangent of the bisector, in one of its senses */
 } ix__sample;
 
 typedef struct {
