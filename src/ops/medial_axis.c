@@ -44,6 +44,21 @@ static double other_place(const ix__set *s, const ix__sample *a)
     return a->vertex >= 0 ? s->nspans + a->vertex : a->foot.span + a->foot.u;
 }
 
+/* Shorter than what is one node: as a circle that touches both at a corner and
+ * beside it, within rounding, while its foot goes from the one to the other. */
+static bool is_node(const ix__walked *w, const ix__run *r)
+{
+    const ix__sample *a = ix__run_at(w, r, 0);
+
+    for (int i = 1; i < r->count; i++) {
+        const ix__sample *b = ix__run_at(w, r, i);
+
+        if (!(hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <= SAME_NODE))
+            return false;
+    }
+    return true;
+}
+
 /* Each branch is run along from both feet, in opposite senses: the run whose
  * feet begin at the smaller place counts. Taken over both ends it does not
  * matter where a closed curve begins. */
@@ -282,7 +297,7 @@ static ix_status make(region *g, const ix__walked *w, ix_medial_axis *out)
     out->node = (ix_medial_node *)(void *)(out->branch + n);
     k.data = (double *)(void *)(out->node + 2 * n);
     for (int i = 0; i < w->nruns; i++)
-        if (counts(&g->set, w, &w->run[i]))
+        if (counts(&g->set, w, &w->run[i]) && !is_node(w, &w->run[i]))
             add_branch(&k, i);
     if (out->nbranches == 0)
         only_node(&k);

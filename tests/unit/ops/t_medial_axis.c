@@ -215,6 +215,28 @@ static void l_shape(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Where two reflex corners are opposite each other both feet change from corner
+ * to side in one point: one node of degree 2, no branch from it to itself. */
+static void comb(void **state)
+{
+    static const double p[12][2] = {{0, 0}, {5, 0}, {5, 3}, {4, 3},
+                                    {4, 1}, {3, 1}, {3, 4}, {2, 4},
+                                    {2, 1}, {1, 1}, {1, 4}, {0, 4}};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const ix_mv *c[1] = {polygon(ctx, 12, p)};
+    ix_medial_axis m;
+
+    (void)state;
+    check(ctx, 1, c, 0, &m);
+    assert_int_equal(nodes_of_degree(&m, 1), 8);
+    assert_int_equal(nodes_of_degree(&m, 3), 6);
+    for (int i = 0; i < m.nbranches; i++)
+        assert_true(m.branch[i].node[0] != m.branch[i].node[1]);
+    ix_medial_axis_free(ctx, &m);
+    ix_mv_unref(ctx, c[0]);
+    ix_ctx_free(ctx);
+}
+
 /* Circles in a circle: one hole in the middle, two, three. */
 static void holes(void **state)
 {
@@ -328,10 +350,10 @@ static void no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rectangle),  cmocka_unit_test(ellipse),
-        cmocka_unit_test(l_shape),    cmocka_unit_test(holes),
-        cmocka_unit_test(free_forms), cmocka_unit_test(errors),
-        cmocka_unit_test(no_memory),
+        cmocka_unit_test(rectangle), cmocka_unit_test(ellipse),
+        cmocka_unit_test(l_shape),   cmocka_unit_test(comb),
+        cmocka_unit_test(holes),     cmocka_unit_test(free_forms),
+        cmocka_unit_test(errors),    cmocka_unit_test(no_memory),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
