@@ -113,6 +113,51 @@ ix_status ix_mv_fit_points(ix_ctx *ctx, const ix_cloud *c, const int *order,
 ix_status ix_mv_fit_nodes(ix_ctx *ctx, const ix_mv *m, const int *order,
                           const int *size, ix_mv **out) IX_MUST_CHECK;
 
+/* How far data are from what was fitted to them. */
+typedef struct {
+    double rms, largest;
+} ix_fit_error;
+
+/* --- polynomials near data ----------------------------------------------- */
+
+/* Forms in two variables; terms by rising total degree, in that by falling
+ * powers of u: 1, u, v, u^2, uv, v^2, ... */
+typedef enum {
+    IX_FORM_LINEAR = 1,  /* 1 u v */
+    IX_FORM_BILINEAR,    /* and uv */
+    IX_FORM_QUADRATIC,   /* 1 u v u^2 uv v^2 */
+    IX_FORM_BIQUADRATIC, /* u^i v^j, i and j up to 2: 9 */
+    IX_FORM_CUBIC,       /* i + j up to 3: 10 */
+    IX_FORM_BICUBIC      /* i and j up to 3: 16 */
+} ix_form_kind;
+enum { IX_FORM_MOST = 16 };
+/* The powers of u and v of the terms, and their number; 0 of no such form. */
+int ix_form_terms(ix_form_kind kind, int power[IX_FORM_MOST][2]);
+/* Of one coordinate, about a center. */
+double ix_form_value(ix_form_kind kind, const double *coef,
+                     const double center[2], const double uv[2]);
+
+typedef struct {
+    ix_form_kind kind;
+    bool centred; /* about the mean of the parameters, else the origin */
+    int n;
+    const double *uv; /* double[2][n] */
+    int ncoords;
+    const double *values; /* double[ncoords][n] */
+} ix_form_data;
+/* The form nearest to n data points in the sense of least squares.
+ *
+ * Out   coef    double[ncoords][terms], in powers of u - center[0] and
+ *               v - center[1]
+ *       *err    NULL, or receives distances of the data from it
+ * Err   IX_EARG no such form, fewer points than terms, not finite parameters;
+ *       IX_EDOMAIN the parameters do not determine the form (they lie on a
+ *       curve of its kind)
+ * Num   solved about the mean by orthogonal transformations; far from the data
+ *       coefficients about the origin lose digits to cancellation */
+ix_status ix_fit_form(ix_ctx *ctx, const ix_form_data *d, double center[2],
+                      ix_fit_error *err, double *coef) IX_MUST_CHECK;
+
 /* --- ruled surfaces near others ---------------------------------------- */
 
 /* How to fit one ruled surface. */
@@ -123,11 +168,6 @@ typedef struct {
                       at the ends too */
     int samples;   /* 2 .. 1000: places on each side where rulings may end */
 } ix_ruled_opts;
-/* Distances of points of srf, even in its parameters, four times as many along
- * its sides as samples, from the result. */
-typedef struct {
-    double rms, largest;
-} ix_fit_error;
 
 /* The ruled surface nearest to a surface, all of which it is to cover.
  *
@@ -142,8 +182,10 @@ typedef struct {
  * gives way to it; it is also the answer where srf is ruled, then with srf's
  * rational points.
  *
- * Out   *out  order 2 in direction dir; err may be NULL. The sides of a closed
- *             srf need not close
+ * Out   *out  order 2 in direction dir. The sides of a closed srf need not
+ *             close
+ *       *err  NULL, or distances of points of srf, even in its parameters, four
+ *             times as many along its sides as samples, from the result
  * Err   IX_EARG not a surface of at most 3 coordinates, orders below 2, options
  *       IX_EDOMAIN poles
  * Num   O(samples^2 + points); deterministic

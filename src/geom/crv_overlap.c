@@ -53,9 +53,31 @@ static int by_first(const void *x, const void *y)
     return a[0] < b[0] ? -1 : a[0] > b[0];
 }
 
+/* A part of a that stays within eps of its start is a point in common, not a
+ * run: nearest points of one place are known that well only. */
+static ix_status is_point(const pairs *p, double t0, double t1, bool *out)
+{
+    double x[IX_MAX_COORDS] = {0}, y[IX_MAX_COORDS] = {0};
+
+    IX_TRY(ix_mv_point(p->ctx, p->a, &t0, x));
+    *out = true;
+    for (int i = 1; *out && i <= p->places; i++) {
+        double t = t0 + (t1 - t0) * i / p->places, d = 0;
+
+        IX_TRY(ix_mv_point(p->ctx, p->a, &t, y));
+        for (int c = 0; c < p->a->ncoords; c++)
+            d = hypot(d, y[c] - x[c]);
+        *out = d <= p->eps;
+    }
+    return IX_OK;
+}
+
 static ix_status coincide(const pairs *p, double t0, double t1, bool *out)
 {
-    *out = true;
+    bool point;
+
+    IX_TRY(is_point(p, t0, t1, &point));
+    *out = !point;
     for (int i = 1; *out && i < p->places; i++) {
         double r, d;
 

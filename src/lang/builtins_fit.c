@@ -1,7 +1,15 @@
 /* builtins_fit.c - freeforms near others and near points (chapters 11, 15 and
  * 24 of spec/functions). */
+#include <string.h>
+
 #include "iritx/geom_srf.h"
 #include "lang/args_freeform.h"
+
+static ix_status add_errors(ix_call *c, ix_obj *o, const ix_fit_error *err)
+{
+    IX_TRY(ix__attr_set_real(c->ctx, &o->attrs, "Error", err->rms));
+    return ix__attr_set_real(c->ctx, &o->attrs, "MaxError", err->largest);
+}
 
 static ix_status ruledfit(ix_call *c)
 {
@@ -92,6 +100,108 @@ static ix_status tinterp(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
+/* --- forms ------------------------------------------------------------------
+ */
+
+/* The coordinates of a point, vector or control point (projected): v, their
+ * number; 0 of anything else and of a weight 0. */
+static int place(const ix_obj *o, double v[IX_MAX_COORDS])
+{
+    const ix_ctlpt *p = o->u.ctlpt;
+
+    if (o->type == IX_OBJ_POINT || o->type == IX_OBJ_VECTOR) {
+        memcpy(v, o->u.pt, 3 * sizeof *v);
+        return 3;
+    }
+    if (o->type != IX_OBJ_CTLPT || (p->rational && p->v[0] == 0))
+        return 0;
+    for (int k = 0; k < p->ncoords; k++)
+        v[k] = p->v[p->rational + k] / (p->rational ? p->v[0] : 1);
+    return p->ncoords;
+}
+
+/* Argument i as double[want][n]; want 0: as many coordinates as the first one
+ * has. At least want coordinates each, or exactly as many as the first. */
+static ix_status places(ix_call *c, int i, int want, int *ncoords, double **out)
+{
+    const ix_list *l = &c->argv[i]->u.list;
+    double v[IX_MAX_COORDS];
+
+    *ncoords = want ? want : l->n > 0 ? place(l->item[0], v) : 0;
+    IX_SCRATCH(c->ctx, *out, (size_t)*ncoords * (size_t)l->n);
+    for (int k = 0; k < l->n; k++) {
+        int got = place(l->item[k], v);
+
+        if (got == 0 || (want ? got < want : got != *ncoords))
+            return IX_ARG_FAIL(c, i,
+                               "element %d is a %s of %d coordinates; a point "
+                               "of %d is wanted",
+                               k + 1, ix__obj_type_name(l->item[k]->type), got,
+                               *ncoords);
+        for (int j = 0; j < *ncoords; j++)
+            (*out)[(size_t)j * (size_t)l->n + (size_t)k] = v[j];
+    }
+    return IX_OK;
+}
+
+/* Coefficient k of each coordinate as a point, or control point. */
+static ix_obj *coefficient(ix_call *c, int ncoords, int terms,
+                           const double *coef, int k)
+{
+    ix_ctlpt p = {.ncoords = ncoords};
+
+    for (int j = 0; j < ncoords; j++)
+        p.v[j] = coef[j * terms + k];
+    return ncoords == 3 ? ix__obj_point(c->ctx, p.v)
+                        : ix__obj_ctlpt(c->ctx, &p);
+}
+
+static ix_status add_center(ix_call *c, ix_obj *o, const double center[3])
+{
+    ix_obj *p = ix__obj_point(c->ctx, center);
+    ix_status st = p ? ix__attr_set_obj(c->ctx, &o->attrs, "Center", p)
+                     : IX_ENOMEM;
+
+    ix__obj_unref(c->ctx, p);
+    return st;
+}
+
+static ix_status analyfit(ix_call *c)
+{
+    int two, kind, terms, power[IX_FORM_MOST][2];
+    double *uv, *val, *coef, center[3] = {0};
+    ix_form_data d = {.n = c->argv[0]->u.list.n};
+    ix_fit_error err;
+    ix_obj *list;
+    ix_status st;
+
+    IX_TRY(ix__arg_int(c, 2, IX_FORM_LINEAR, IX_FORM_BICUBIC, &kind));
+    if (c->argv[1]->u.list.n != d.n)
+        return IX_ARG_FAIL(c, 1, "%d points, %d parameters",
+                           c->argv[1]->u.list.n, d.n);
+    IX_TRY(places(c, 0, 2, &two, &uv));
+    IX_TRY(places(c, 1, 0, &d.ncoords, &val));
+    d.kind = (ix_form_kind)kind;
+    d.centred = ix__arg_bool(c, 3);
+    d.uv = uv;
+    d.values = val;
+    terms = ix_form_terms(d.kind, power);
+    IX_SCRATCH(c->ctx, coef, (size_t)terms * (size_t)d.ncoords);
+    c->bad_arg = 1;
+    IX_TRY(ix_fit_form(c->ctx, &d, center, &err, coef));
+    c->bad_arg = 0;
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int k = 0; st == IX_OK && k < terms; k++)
+        st = ix__list_add(c->ctx, list,
+                          coefficient(c, d.ncoords, terms, coef, k));
+    if (st == IX_OK)
+        st = add_errors(c, list, &err);
+    if (st == IX_OK)
+        st = add_center(c, list, center);
+    return ix__ret_list(c, list, st);
+}
+
 const ix_builtin ix__builtins_fit[] = {
     {"RULEDFIT", "s:surface dir:num extend:num samples:num -> surface",
      "One ruled surface near s and as long, its rulings along dir (PRISA makes "
@@ -116,4 +226,16 @@ const ix_builtin ix__builtins_fit[] = {
      "ctlpt(E1,5))), list(list(ctlpt(E1,3), ctlpt(E1,4)), list(ctlpt(E1,0), "
      "ctlpt(E1,1))))); x = tinterp(t, 0, 0, 0, 0, 0, 0);",
      tinterp, 0, 15},
+    {"ANALYFIT", "uv:list pts:list fit:num center:bool -> list",
+     "The polynomial in (u, v) nearest to points pts with parameters uv in the "
+     "sense of least squares. fit 1: terms 1 u v; 2: also uv; 3: 1 u v uu uv "
+     "vv; 4: u^i v^j for i, j up to 2; 5: up to i + j = 3; 6: i, j up to 3; "
+     "ordered by total degree, then falling powers of u. The list has a "
+     "coefficient for each term, of the points' coordinates; with center in "
+     "powers of the parameters less their mean. Attributes Error (root mean "
+     "square), MaxError, Center.",
+     "l = analyfit(list(point(0,0,0), point(1,0,0), point(0,1,0), "
+     "point(1,1,0)), list(point(0,0,0), point(1,0,0), point(0,1,0), "
+     "point(1,1,1)), 2, false);",
+     analyfit, 0, 24},
     {0}};

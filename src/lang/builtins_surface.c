@@ -674,4 +674,12 @@ const ix_builtin ix__builtins_surface[] = {
     {"CTRIMSRF", "ts:trimsrf param:bool -> list",
      "The trimming curves in the (u, v) plane (param) or on the surface.",
      TS "l = ctrimsrf(ts, true);", ix__prim_ctrimsrf, 0, 14},
+    {"TRMSRFS", "s:surface contours:curve|poly|list -> list",
+     "The trimmed surfaces into which contours in the (u, v) plane divide s: "
+     "curves and polylines, also in lists, that close or go from border to "
+     "border or from one to another. They may cross each other and themselves, "
+     "and leave the domain; what divides nothing is ignored, with a remark.",
+     S "l = trmsrfs(s, list(poly(list(point(0,0.2,0), point(1,0.5,0)), true), "
+       "circle(vector(0.5,0.7,0), 0.2)));",
+     ix__prim_trmsrfs, 0, 14},
     {0}};

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "iritx/regions.h"
 #include "iritx/sym.h"
 #include "lang/args_freeform.h"
 #include "lang/prims_surface.h"
@@ -201,6 +202,141 @@ ix_status ix__region_obj(ix_ctx *ctx, const ix_mv *srf, const ix_lines *l,
     }
     if (t)
         ix__trimsrf_unref(ctx, t);
+    return st;
+}
+
+/* --- pieces ------------------------------------------------------------ */
+
+/* Curves that contours give: those of curve objects borrowed, those through the
+ * vertices of polylines made here. */
+typedef struct {
+    int n, nmade, room;
+    const ix_mv **crv;
+    ix_mv **made;
+} contours;
+
+/* How many curves o stands for; -1 if it is no contour. */
+static int contours_of(const ix_obj *o)
+{
+    int n = 0;
+
+    if (o->type == IX_OBJ_CURVE)
+        return o->u.mvs->n;
+    if (o->type == IX_OBJ_POLY)
+        return o->u.poly->n;
+    if (o->type != IX_OBJ_LIST)
+        return -1;
+    for (int i = 0; i < o->u.list.n; i++) {
+        int k = contours_of(o->u.list.item[i]);
+
+        if (k < 0)
+            return -1;
+        n += k;
+    }
+    return n;
+}
+
+static ix_status add_polyline(ix_call *c, const ix_polygon *pg, contours *k)
+{
+    int n = pg->n + (pg->kind == IX_POLYGON && pg->n > 0);
+    ix_mv *m = NULL;
+    double(*p)[3];
+
+    if (pg->n < 2)
+        return IX_ARG_FAIL(c, 1, "a contour of %d vertices", pg->n);
+    IX_SCRATCH(c->ctx, p, n);
+    for (int i = 0; i < n; i++)
+        memcpy(p[i], pg->v[i % pg->n].p, sizeof p[i]);
+    IX_TRY(through_points(c->ctx, n, (const double(*)[3])p, &m));
+    k->made[k->nmade++] = m;
+    k->crv[k->n++] = m;
+    return IX_OK;
+}
+
+static ix_status add_contours(ix_call *c, const ix_obj *o, contours *k)
+{
+    if (o->type == IX_OBJ_CURVE)
+        for (int i = 0; i < o->u.mvs->n; i++)
+            k->crv[k->n++] = o->u.mvs->mv[i];
+    else if (o->type == IX_OBJ_POLY)
+        for (int i = 0; i < o->u.poly->n; i++)
+            IX_TRY(add_polyline(c, &o->u.poly->poly[i], k));
+    else
+        for (int i = 0; i < o->u.list.n; i++)
+            IX_TRY(add_contours(c, o->u.list.item[i], k));
+    return IX_OK;
+}
+
+/* Region i as a trimmed surface. */
+static ix_status region_piece(ix_ctx *ctx, const ix_mv *srf,
+                              const ix_regions *r, int i, ix_trimsrf **out)
+{
+    int first = r->first_loop[i], n = r->first_loop[i + 1] - first;
+
+    *out = ix__trimsrf_new(ctx, srf, n);
+    if (!*out)
+        return IX_ENOMEM;
+    for (int l = 0; l < n; l++) {
+        int at = r->first_crv[first + l];
+        int m = r->first_crv[first + l + 1] - at;
+        ix_status st = ix__trimloop_segs(ctx, &(*out)->loop[l], m);
+
+        if (st != IX_OK) {
+            ix__trimsrf_unref(ctx, *out);
+            return st;
+        }
+        for (int k = 0; k < m; k++)
+            (*out)->loop[l].seg[k].uv = ix_mv_ref(r->crv[at + k]);
+    }
+    return IX_OK;
+}
+
+static ix_status ret_pieces(ix_call *c, const ix_mv *srf, const ix_regions *r)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < r->n; i++) {
+        ix_trimsrf *t;
+
+        st = region_piece(c->ctx, srf, r, i, &t);
+        if (st == IX_OK)
+            st = ix__list_add(c->ctx, list, ix__obj_trimsrf(c->ctx, t));
+    }
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status divide_srf(ix_call *c, contours *k, ix_regions *r)
+{
+    double box[2][2];
+
+    IX_TRY(add_contours(c, c->argv[1], k));
+    for (int d = 0; d < 2; d++)
+        ix_mv_domain(ix__arg_mv(c, 0), d, box[d]);
+    c->bad_arg = 2;
+    IX_TRY(ix_divide_box(c->ctx, (const double(*)[2])box, k->n, k->crv, r));
+    c->bad_arg = 0;
+    return IX_OK;
+}
+
+ix_status ix__prim_trmsrfs(ix_call *c)
+{
+    contours k = {.room = contours_of(c->argv[1])};
+    ix_regions r = {.n = 0};
+    ix_status st;
+
+    if (k.room < 0)
+        return IX_ARG_FAIL(c, 1,
+                           "a list with something that is neither a curve nor "
+                           "a polyline");
+    IX_SCRATCH(c->ctx, k.crv, k.room);
+    IX_SCRATCH(c->ctx, k.made, k.room);
+    st = divide_srf(c, &k, &r);
+    if (st == IX_OK)
+        st = ret_pieces(c, ix__arg_mv(c, 0), &r);
+    for (int i = 0; i < k.nmade; i++)
+        ix_mv_unref(c->ctx, k.made[i]);
+    ix_regions_free(c->ctx, &r);
     return st;
 }
 

@@ -114,6 +114,28 @@ static void closed_curves(void **state)
     gt_end(&t);
 }
 
+/* A circle whose seam touches a line: both of its ends are there, and nearest
+ * points on the line are known to half the digits, but that is no length. */
+static void seam_touches(void **state)
+{
+    const double center[3] = {0.6, 0.5, 0}, side[4] = {1, 1, 0, 1};
+    gt t = gt_begin(5);
+    ix_mv *line = gt_curve(&t, 2, 2, NULL, 2, false, side), *c, *flat;
+    ix_overlap o;
+
+    (void)state;
+    ASSERT_OK(t.ctx, ix_circle(t.ctx, center, 0.4, &c));
+    ASSERT_OK(t.ctx, ix_mv_coerce(t.ctx, c, 2, true, &flat));
+    ASSERT_OK(t.ctx, ix_crv_overlap(t.ctx, line, flat, 1e-7, &o));
+    assert_int_equal(o.relation, IX_CRVS_DISTINCT);
+    ASSERT_OK(t.ctx, ix_crv_overlap(t.ctx, flat, line, 1e-7, &o));
+    assert_int_equal(o.relation, IX_CRVS_DISTINCT);
+    ix_mv_unref(t.ctx, flat);
+    ix_mv_unref(t.ctx, c);
+    ix_mv_unref(t.ctx, line);
+    gt_end(&t);
+}
+
 static void make(ix_ctx *ctx, gt_fault *f)
 {
     const double p[6] = {0, 1, 2, 0, 2, 0};
@@ -140,9 +162,8 @@ static void memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parts_overlap),
-        cmocka_unit_test(others_do_not),
-        cmocka_unit_test(closed_curves),
+        cmocka_unit_test(parts_overlap), cmocka_unit_test(others_do_not),
+        cmocka_unit_test(closed_curves), cmocka_unit_test(seam_touches),
         cmocka_unit_test(memory),
     };
 
