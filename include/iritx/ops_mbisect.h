@@ -60,13 +60,21 @@ ix_status ix_mbisector_points(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                               int *count) IX_MUST_CHECK;
 void ix_bisector_points_free(ix_ctx *ctx, ix_bisector_point *p, int count);
 
-/* The points equally far, along normals, from two curves and a curve or a
- * surface: curves, traced as polylines.
+/* The points equally far, along normals, from three points, curves and surfaces
+ * in any combination: curves, as polylines.
  *
- * In    tol    as ix_curves_opts: of the parameter space
+ * In    m      2 or 3 coordinates; a curve of order 1 is a point
+ *       tol    as ix_curves_opts: of the parameter space; 0: 1e-4
  *       box    lo[3], hi[3]; parts outside are left out
  * Out   *out   freed with ix_lines_free; *complete as in ix_solution_curves
- * Err   IX_EARG three curves, or two and a surface are wanted; an empty box */
+ * Err   IX_EARG other objects, tol, an empty box; IX_EDOMAIN two points are one
+ * Num   at most one surface: equations between the parameters of the feet,
+ *       solved for all curves (three points: their line; two and a curve: a
+ *       step of sqrt(tol) of its parameter). Two or three surfaces, and two
+ *       curves and a surface if the equations have more solutions: curves that
+ *       cross a grid of 4 to 64 steps (1 / sqrt(tol)) on the last one of them,
+ *       followed in steps of sqrt(tol): those that pass between all
+ *       nodes, and beyond creases from pieces so small, are missed */
 ix_status ix_trisector(ix_ctx *ctx, const ix_mv *const m[3], double tol,
                        const double box[6], ix_lines *out,
                        bool *complete) IX_MUST_CHECK;
@@ -89,6 +97,31 @@ ix_status ix_skeleton_points(ix_ctx *ctx, const ix_mv *const m[3],
                              ix_skeleton_point **out, int *n,
                              bool *complete) IX_MUST_CHECK;
 void ix_skeleton_points_free(ix_ctx *ctx, ix_skeleton_point *p, int n);
+
+/* A point of R^n equally far, along normals, from n + 1 objects. */
+#define IX_CENTRE_OBJECTS 6
+typedef struct {
+    double x[IX_CENTRE_OBJECTS - 1], radius;
+    double t[IX_CENTRE_OBJECTS][2]; /* the feet's parameters; points: 0 */
+} ix_centre;
+
+/* The centres of all spheres of R^(n - 1) that pass through the points, and
+ * touch the curves and surfaces, among n objects.
+ *
+ * In    n      3 .. IX_CENTRE_OBJECTS
+ *       m      NULL: the point q[i] (n - 1 numbers each); else a curve or a
+ *              surface with n - 1 coordinates
+ * Out   *out   array of *count, freed with ix_centres_free; *complete false if
+ *              the search had to stop: objects that share a sphere with a whole
+ *              curve of centres, or that meet
+ * Err   IX_EARG other objects; more than IX_MAX_UNKNOWNS parameters
+ * Num   determinants of lifts (ix_solve); each result has equal distances,
+ *       along normals, to 1e-7 of the radius
+ * See   ix_skeleton_points */
+ix_status ix_equidistant_centres(ix_ctx *ctx, int n, const ix_mv *const *m,
+                                 const double *q, ix_centre **out, int *count,
+                                 bool *complete) IX_MUST_CHECK;
+void ix_centres_free(ix_ctx *ctx, ix_centre *p, int n);
 
 #ifdef __cplusplus
 }

@@ -148,23 +148,52 @@ static ix_status mbisector(ix_call *c)
 /* --- MTRISECTOR --------------------------------------------------------------
  */
 
-static ix_status mtrisector(ix_call *c)
+/* A point as a curve of order 1; else the operand itself. */
+static ix_status operand_of(ix_call *c, int i, ix_mv **out)
 {
-    const ix_mv *m[3] = {ix__arg_mv(c, 0), ix__arg_mv(c, 1), ix__arg_mv(c, 2)};
-    double step = ix__arg_num(c, 3), box[6];
+    static const ix_dir d = {IX_BEZIER, 1, 1, false, NULL};
+    const ix_mv *m = ix__obj_first_mv(c->argv[i]);
+    double p[3];
+
+    if (m) {
+        *out = ix_mv_ref(m);
+        return IX_OK;
+    }
+    IX_TRY(ix__arg_pt3(c, i, p));
+    return ix_mv_new(c->ctx, 1, &d, 3, false, p, out);
+}
+
+static ix_status trisector(ix_call *c, const ix_mv *const m[3],
+                           const double box[6], double step)
+{
     bool complete;
     ix_status st;
     ix_lines l;
 
-    if (!(step > 0.0))
-        return IX_ARG_FAIL(c, 3, "a step of %g must be positive", step);
-    IX_TRY(ix__arg_vec3(c, 6, box));
-    IX_TRY(ix__arg_vec3(c, 7, box + 3));
     IX_TRY(ix_trisector(c->ctx, m, step * step, box, &l, &complete));
     if (!complete)
         ix__remark(c->in, "the search was stopped: curves may be missing");
     st = l.n > 0 ? ix__ret_lines(c, &l, IX_POLYLINE) : IX_OK;
     ix_lines_free(c->ctx, &l);
+    return st;
+}
+
+static ix_status mtrisector(ix_call *c)
+{
+    ix_mv *m[3] = {NULL, NULL, NULL};
+    double step = ix__arg_num(c, 3), box[6];
+    ix_status st = IX_OK;
+
+    if (!(step > 0.0))
+        return IX_ARG_FAIL(c, 3, "a step of %g must be positive", step);
+    IX_TRY(ix__arg_vec3(c, 6, box));
+    IX_TRY(ix__arg_vec3(c, 7, box + 3));
+    for (int i = 0; i < 3 && st == IX_OK; i++)
+        st = operand_of(c, i, &m[i]);
+    if (st == IX_OK)
+        st = trisector(c, (const ix_mv *const *)m, box, step);
+    for (int i = 0; i < 3; i++)
+        ix_mv_unref(c->ctx, m[i]);
     return st;
 }
 
@@ -224,6 +253,76 @@ static ix_status skel2dint(ix_call *c)
     return ix__ret_list(c, list, st);
 }
 
+/* --- SKELNDINT ---------------------------------------------------------------
+ */
+
+/* The coordinates of a point among the operands, dim of them. */
+static ix_status point_coords(ix_call *c, int i, const ix_obj *o, int dim,
+                              double *q)
+{
+    int n = o->type == IX_OBJ_CTLPT ? o->u.ctlpt->ncoords : 3;
+
+    if (o->type != IX_OBJ_CTLPT && o->type != IX_OBJ_POINT &&
+        o->type != IX_OBJ_VECTOR)
+        return IX_ARG_FAIL(c, 0,
+                           "element %d is %s: points, curves and surfaces are "
+                           "needed",
+                           i + 1, ix__obj_type_name(o->type));
+    if (n < dim)
+        return IX_ARG_FAIL(c, 0, "element %d has %d coordinates: %d are needed",
+                           i + 1, n, dim);
+    for (int k = 0; k < dim; k++)
+        q[k] = o->type != IX_OBJ_CTLPT ? o->u.pt[k]
+               : o->u.ctlpt->rational  ? o->u.ctlpt->v[k + 1] / o->u.ctlpt->v[0]
+                                       : o->u.ctlpt->v[k];
+    return IX_OK;
+}
+
+/* A control point with the radius, and the feet's parameters. */
+static ix_obj *centre_object(ix_ctx *ctx, const ix_centre *p, int dim)
+{
+    ix_ctlpt q = {.ncoords = dim};
+    ix_obj *o;
+
+    memcpy(q.v, p->x, (size_t)dim * sizeof *q.v);
+    o = ix__obj_ctlpt(ctx, &q);
+    if (o && ix__attr_set_real(ctx, &o->attrs, "radius", p->radius) == IX_OK)
+        return o;
+    ix__obj_unref(ctx, o);
+    return NULL;
+}
+
+static ix_status skelndint(ix_call *c)
+{
+    const ix_list *l = &c->argv[0]->u.list;
+    const ix_mv *m[IX_CENTRE_OBJECTS] = {NULL};
+    double q[IX_CENTRE_OBJECTS * IX_CENTRE_OBJECTS];
+    ix_centre *p;
+    ix_obj *list;
+    bool complete;
+    ix_status st;
+    int n;
+
+    if (l->n < 3 || l->n > IX_CENTRE_OBJECTS)
+        return IX_ARG_FAIL(c, 0, "3 to %d objects are needed, got %d",
+                           IX_CENTRE_OBJECTS, l->n);
+    for (int i = 0; i < l->n; i++) {
+        m[i] = ix__obj_first_mv(l->item[i]);
+        if (!m[i])
+            IX_TRY(
+                point_coords(c, i, l->item[i], l->n - 1, q + i * (l->n - 1)));
+    }
+    IX_TRY(ix_equidistant_centres(c->ctx, l->n, m, q, &p, &n, &complete));
+    if (!complete)
+        ix__remark(c->in, "the search was stopped: centres may be missing");
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < n; i++)
+        st = ix__list_add(c->ctx, list, centre_object(c->ctx, &p[i], l->n - 1));
+    ix_centres_free(c->ctx, p, n);
+    return ix__ret_list(c, list, st);
+}
+
 /* --- table -------------------------------------------------------------------
  */
 
@@ -245,11 +344,12 @@ const ix_builtin ix__builtins_mbisect[] = {
              "c, 2, 0.25, 1e-8);",
      mbisector, IX_B_SOFT, 21},
     {"MTRISECTOR",
-     "a:curve|surface b:curve|surface c:curve|surface step:num subdiv:num "
-     "numer:num lo:vector|point hi:vector|point -> poly",
-     "The curves equally far from three curves, or two curves and a surface, "
-     "as polylines within the box from lo to hi; step is that of the polylines "
-     "in the parameters. No value if there are none.",
+     "a:pt3|curve|surface|mv b:pt3|curve|surface|mv c:pt3|curve|surface|mv "
+     "step:num subdiv:num numer:num lo:vector|point hi:vector|point -> poly",
+     "The curves equally far, along normals, from three points, curves and "
+     "surfaces in any combination, as polylines within the box from lo to hi; "
+     "step is that of the polylines in the parameters. No value if there are "
+     "none.",
      "a = cbezier(list(point(0,0,-1), point(0,0,1))); b = cbezier(list(point("
      "2,-1,0), point(2,1,0.5))); c = cbezier(list(point(0,2,0), point(1,2,1)));"
      " o = mtrisector(a, b, c, 0.05, 0.1, 1e-6, vector(-3,-3,-3), "
@@ -265,4 +365,12 @@ const ix_builtin ix__builtins_mbisect[] = {
      "l = skel2dint(point(0,0,0), point(2,0,0), point(0,2,0), 10, 0.1, 100, "
      "list(1e-3, -1e-9));",
      skel2dint, 0, 21},
+    {"SKELNDINT", "objects:list subdiv:num numer:num exprTrees:bool -> list",
+     "The points of R^n equally far, along normals, from n + 1 points, curves "
+     "and surfaces with n coordinates (2 to 5): control points with the "
+     "attribute radius. The tolerances are not needed.",
+     "a = cbezier(list(ctlpt(E2,-2,-1), ctlpt(E2,0,-2), ctlpt(E2,2,-1))); b = "
+     "cbezier(list(ctlpt(E2,-2,1), ctlpt(E2,2,2))); l = skelndint(list(a, b, "
+     "point(3,0,0)), 0.1, 1e-6, false);",
+     skelndint, 0, 21},
     {0}};

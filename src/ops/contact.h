@@ -3,9 +3,10 @@
 #ifndef OPS_CONTACT_H
 #define OPS_CONTACT_H
 
+#include "iritx/ops_mbisect.h"
 #include "sym/form.h"
 
-enum { IX__MAX_OBJECTS = 3, IX__MAX_CONTACT = 3 };
+enum { IX__MAX_OBJECTS = IX_CENTRE_OBJECTS, IX__MAX_CONTACT = 3 };
 
 /* One object: its lift L and the derivatives of L, forms in the parameters of
  * all objects over [0, 1], with dim + 2 rows. */
