@@ -59,17 +59,30 @@ static bool is_node(const ix__walked *w, const ix__run *r)
     return true;
 }
 
-/* Each branch is run along from both feet, in opposite senses: the run whose
- * feet begin at the smaller place counts. Taken over both ends it does not
- * matter where a closed curve begins. */
+/* Does the way from a to z go forward in the plane? The directions that decide
+ * are along no line that a drawing is likely to have. */
+static bool forward(const ix__sample *a, const ix__sample *z)
+{
+    const double c = 0.8146123, s = 0.5800067;
+    double x = z->b[0] - a->b[0], y = z->b[1] - a->b[1], d = c * x + s * y;
+
+    return (fabs(d) > 1e-3 * hypot(x, y) ? d : c * y - s * x) > 0.0;
+}
+
+/* Each branch is run along from both feet, in opposite senses: the run that
+ * goes forward counts; of closed ones, around a hole, that with the smaller
+ * place in the middle. */
 static bool counts(const ix__set *s, const ix__walked *w, const ix__run *r)
 {
     const ix__sample *a = ix__run_at(w, r, 0);
     const ix__sample *z = ix__run_at(w, r, r->count - 1);
+    const ix__sample *m = ix__run_at(w, r, r->count / 2);
 
-    return !ix__run_at(w, r, r->count / 2)->own_circle &&
-           fmin(own_place(s, a), own_place(s, z)) <
-               fmin(other_place(s, a), other_place(s, z));
+    if (m->own_circle)
+        return false;
+    if (hypot(a->b[0] - z->b[0], a->b[1] - z->b[1]) > SAME_NODE)
+        return forward(a, z);
+    return own_place(s, m) < other_place(s, m);
 }
 
 /* --- inside ----------------------------------------------------------------

@@ -171,19 +171,24 @@ static double beside(const ix__walk *w, const ix__sample *o, const double m[2],
 
 /* Where both feet are near each other, the curves going on from one another or
  * crossing at a small angle: is one side of b nearer to the one set and the
- * other side to the other, by more than rounding? */
+ * other side to the other, as near to b as that can be told from rounding? */
 static bool separates(const ix__walk *w, const ix__sample *o)
 {
     double m[2] = {o->x[0] - o->c[0], o->x[1] - o->c[1]};
     double len = hypot(m[0], m[1]), size = fmax(o->r, 1.0);
-    double h = o->r > FAR ? ASIDE_FAR * o->r : ASIDE;
+    double most = (o->r > FAR ? ASIDE_FAR : ASIDE) * size;
 
     if (!(len > 0.0))
         return false;
     m[0] /= len;
     m[1] /= len;
-    return beside(w, o, m, -h) < -TOLD_APART * size &&
-           beside(w, o, m, h) > TOLD_APART * size;
+    for (double h = ASIDE * size; h <= 1.001 * most; h *= 10.0) {
+        double own = -beside(w, o, m, -h), other = beside(w, o, m, h);
+
+        if (fmin(fabs(own), fabs(other)) > TOLD_APART * size)
+            return own > 0.0 && other > 0.0;
+    }
+    return false;
 }
 
 /* Is the own foot on the other set too (the curves are the same there), or are
@@ -510,6 +515,18 @@ static bool like_first(const ix__walk *w, const ix__sample *a,
            fabs(way(w->other, &m->foot, &b->foot));
 }
 
+/* Emits b; the foot may jump between it and the sample before, in one place or,
+ * where more than one thing happens, in several. */
+static ix_status emit_after(sink *k, const ix__sample *b)
+{
+    ix__sample *a = &k->s[k->n - 1];
+
+    a->cut = a->valid && b->valid && same_feet(k->w, a, b) && a->vertex < 0 &&
+             !a->own_circle &&
+             fabs(way(k->w->other, &a->foot, &b->foot)) > JUMP;
+    return emit(k, b);
+}
+
 /* Encloses what happens between a and b in the smallest interval. */
 static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
 {
@@ -526,16 +543,11 @@ static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
         else
             hi = m;
     }
-    lo.cut = lo.valid && hi.valid && same_feet(k->w, &lo, &hi) &&
-             lo.vertex < 0 && !lo.own_circle &&
-             fabs(way(k->w->other, &lo.foot, &hi.foot)) > JUMP;
     if (lo.at > a->at)
-        IX_TRY(emit(k, &lo));
-    else
-        k->s[k->n - 1].cut = lo.cut;
+        IX_TRY(emit_after(k, &lo));
     if (hi.at < b->at)
-        IX_TRY(emit(k, &hi));
-    return emit(k, b);
+        IX_TRY(emit_after(k, &hi));
+    return emit_after(k, b);
 }
 
 /* Samples between a and b, b included; a is the last one emitted. */
@@ -773,13 +785,24 @@ static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
 /* --- runs ------------------------------------------------------------------
  */
 
+/* Is there a corner without a fan, of less than 180 degrees, between two sides?
+ * However shallow it is, no circle touches there. */
+static bool at_corner(const ix__walk *w, const ix__sample *a,
+                      const ix__sample *b)
+{
+    const ix__border *e = &w->own->border[a->border];
+
+    return a->border != b->border && e->kind == IX__SIDE &&
+           w->own->span[e->index].vertex[e->side > 0] >= 0;
+}
+
 static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
 {
     const ix__border *ea = &w->own->border[a->border];
     const ix__border *eb = &w->own->border[b->border];
 
     if (!a->valid || !b->valid || a->cut || !same_feet(w, a, b) ||
-        turns(w, a, b) || passes_seam(w, a, b))
+        turns(w, a, b) || passes_seam(w, a, b) || at_corner(w, a, b))
         return false;
     if (ea->kind != eb->kind)
         return false;

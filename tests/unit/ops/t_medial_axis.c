@@ -237,6 +237,74 @@ static void comb(void **state)
     ix_ctx_free(ctx);
 }
 
+/* A corner of 0.5 degrees less than straight is a corner: a branch ends there.
+ */
+static void shallow(void **state)
+{
+    static const double p[5][2] = {
+        {0, 0}, {3, 0}, {3.002, 0.5}, {3, 1}, {0, 1}};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const ix_mv *c[1] = {polygon(ctx, 5, p)};
+    ix_medial_axis m;
+    int found = 0;
+
+    (void)state;
+    check(ctx, 1, c, 0, &m);
+    assert_int_equal(nodes_of_degree(&m, 1), 5);
+    for (int i = 0; i < m.nnodes; i++)
+        found += hypot(m.node[i].x[0] - 3.002, m.node[i].x[1] - 0.5) <= 1e-8 &&
+                 m.node[i].r <= 1e-8;
+    assert_int_equal(found, 1);
+    ix_medial_axis_free(ctx, &m);
+    ix_mv_unref(ctx, c[0]);
+    ix_ctx_free(ctx);
+}
+
+/* A rectangle with round corners that begins with one of them: the feet of one
+ * branch come to the curve's beginning and to its end. The arcs have one circle
+ * each: branches end in their centres. */
+static void round_corners(void **state)
+{
+    static const double c[4][2] = {{2, 1}, {-2, 1}, {-2, -1}, {2, -1}};
+    static const double q[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+    const double h = 0.70710678118654752440;
+    double pts[3][17], kv[20];
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    const ix_mv *list[1];
+    ix_medial_axis m;
+
+    (void)state;
+    for (int i = 0; i < 17; i++) {
+        int k = i / 4 % 4, l = i == 16 ? 0 : i % 4;
+        double w = l == 1 ? h : 1, x[2];
+
+        for (int j = 0; j < 2; j++)
+            x[j] = l < 3 ? c[k][j] + (l < 2 ? q[k][j] : 0) * 0.5 +
+                               (l > 0 ? q[k + 1][j] : 0) * 0.5
+                         : 0.5 * (c[k][j] + c[(k + 1) % 4][j] + q[k + 1][j]);
+        pts[0][i] = w;
+        pts[1][i] = w * x[0];
+        pts[2][i] = w * x[1];
+    }
+    for (int i = 0; i < 20; i++)
+        kv[i] = i < 3 ? 0 : i > 16 ? 8 : (i - 1) / 2;
+    list[0] = make_crv(ctx, 3, 17, kv, true, 2, &pts[0][0]);
+    check(ctx, 1, list, 0, &m);
+    assert_int_equal(m.nbranches, 5);
+    assert_int_equal(nodes_of_degree(&m, 1), 4);
+    for (int i = 0; i < m.nnodes; i++) {
+        const ix_medial_node *n = &m.node[i];
+        bool end = n->degree == 1;
+
+        ASSERT_CLOSE(fabs(n->x[0]), end ? 2 : 1, 1e-9);
+        ASSERT_CLOSE(fabs(n->x[1]), end ? 1 : 0, 1e-9);
+        ASSERT_CLOSE(n->r, end ? 0.5 : 1.5, 1e-9);
+    }
+    ix_medial_axis_free(ctx, &m);
+    ix_mv_unref(ctx, list[0]);
+    ix_ctx_free(ctx);
+}
+
 /* Circles in a circle: one hole in the middle, two, three. */
 static void holes(void **state)
 {
@@ -352,6 +420,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangle), cmocka_unit_test(ellipse),
         cmocka_unit_test(l_shape),   cmocka_unit_test(comb),
+        cmocka_unit_test(shallow),   cmocka_unit_test(round_corners),
         cmocka_unit_test(holes),     cmocka_unit_test(free_forms),
         cmocka_unit_test(errors),    cmocka_unit_test(no_memory),
     };
