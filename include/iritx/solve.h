@@ -160,6 +160,8 @@ typedef struct {
     bool crowded;     /* the gradients are dependent along a whole curve, as for
                          a component that counts twice: the singular boxes that
                          cover it are larger than cell */
+    bool area;        /* an equation is zero on whole patches, which are
+                         singular boxes: the solutions there are no curves */
 } ix_solution_curves;
 
 /* The solution set of unknowns - 1 equations (2 to 4 unknowns), and o->checks

@@ -239,6 +239,10 @@ ix_status ix__ret_contours(ix_call *c, const ix_solution_curves *s,
     if (!s->complete)
         ix__remark(c->in, "stopped after %zu cells: curves may be missing",
                    s->boxes);
+    if (s->area)
+        ix__remark(c->in,
+                   "the condition holds on whole patches, of which there "
+                   "are no curves");
     if (s->ncurves == 0)
         return IX_OK;
     p = ix__poly_new(c->ctx, s->ncurves);

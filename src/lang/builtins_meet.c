@@ -310,7 +310,10 @@ static ix_status polylines(ix_call *c, const ix_solution_curves *s,
 
 static void remark_curves(ix_call *c, const ix_solution_curves *s)
 {
-    if (!s->complete)
+    if (s->area)
+        ix__remark(c->in, "the surfaces lie, in part, in one plane: where they "
+                          "cover each other there are no curves");
+    else if (!s->complete)
         ix__remark(c->in,
                    "stopped after %zu cells: the surfaces touch along a curve, "
                    "or coincide, or nearly so",

@@ -61,6 +61,7 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
     out->boxes = s.t.boxes;
     out->interrupted = s.t.interrupted;
     out->crowded = s.t.crowded;
+    out->area = s.area;
     out->complete = s.t.boxes < s.t.max_boxes && !s.t.interrupted &&
                     !s.t.crowded;
     return ix__curves_link(&s, out);

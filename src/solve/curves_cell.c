@@ -644,5 +644,9 @@ ix_status ix__curves_patch(ix__curves *s, const ix__box *b)
     memcpy(s->patch_lo, b->lo, sizeof s->patch_lo);
     memcpy(s->patch_hi, b->hi, sizeof s->patch_hi);
     ix__stack_start(&s->t, &q->stack, b);
+    if (below_noise(s, &q->stack.box[0])) {
+        s->area = true;
+        return ix__open_box(&s->t, b, &s->singular);
+    }
     return ix__stack_run(&s->t, &q->stack, examine, q, &s->singular);
 }

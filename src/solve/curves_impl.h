@@ -22,6 +22,7 @@ typedef struct {
     bool joined[IX_MAX_UNKNOWNS]; /* the patch has an upper neighbour with the
                                      same values on the common face */
     double tol;
+    bool area; /* an equation is zero on all of a patch */
     ix__arc *arc;
     int narcs, arc_cap;
     ix__pt *pts;

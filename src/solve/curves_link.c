@@ -100,6 +100,10 @@ static void find_partners(links *l)
         }
 }
 
+#define PAD                                                                 \
+    0x1p-6 /* of the domain, at most: rounding spoils the surroundings of a \
+              singular point, not those of a patch that vanishes */
+
 /* The singular point whose box an end touches. */
 static int at_singular(const ix__curves *s, const double *p)
 {
@@ -109,7 +113,7 @@ static int at_singular(const ix__curves *s, const double *p)
 
         for (int j = 0; in && j < s->n; j++) {
             double pad = 2 * s->t.cell * s->t.edge[j] +
-                         0.25 * (r->hi[j] - r->lo[j]);
+                         fmin(0.25 * (r->hi[j] - r->lo[j]), PAD * s->t.edge[j]);
 
             in = p[j] >= r->lo[j] - pad && p[j] <= r->hi[j] + pad;
         }
@@ -209,6 +213,7 @@ static bool near_box(const ix__curves *s, const ix_solution *r, const double *p)
 
     for (int j = 0; j < s->n; j++)
         size = fmax(size, (r->hi[j] - r->lo[j]) / s->t.edge[j]);
+    size = fmin(size, 4 * PAD);
     for (int j = 0; j < s->n; j++) {
         double pad = 2 * size * s->t.edge[j];
 

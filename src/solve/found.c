@@ -86,9 +86,19 @@ static double size_of(const ix_solution *s, int n, const double *edge)
     return size;
 }
 
-/* One round of joining undecided boxes that are no further apart than the
- * larger one is long, twice: what one multiple root leaves behind is scattered
- * by rounding. Sorted by x[0], so only a window of width reach is compared. */
+#define WIDE                                                                 \
+    0x1p-4 /* of the domain: a box of that size is no multiple root but part \
+              of a set of solutions, which is not scattered */
+
+/* How far a box of that size reaches: twice its size, as what one multiple root
+ * leaves behind is scattered by rounding. */
+static double reach_of(double size)
+{
+    return size < WIDE ? 2 * size : 0;
+}
+
+/* One round of joining undecided boxes that reach each other. Sorted by x[0],
+ * so only a window of width reach is compared. */
 static int join_round(ix__found *f, int n, const double *edge, int *up)
 {
     double reach = 0;
@@ -103,7 +113,8 @@ static int join_round(ix__found *f, int n, const double *edge, int *up)
         double own = size_of(&f->sol[i], n, edge);
 
         for (int k = i - 1; k >= 0 && !f->sol[i].certified; k--) {
-            double gap = 2 * fmax(own, size_of(&f->sol[k], n, edge));
+            double gap = fmax(reach_of(own),
+                              reach_of(size_of(&f->sol[k], n, edge)));
 
             if (f->sol[i].x[0] - f->sol[k].x[0] > 2 * reach * edge[0])
                 break;
