@@ -33,29 +33,36 @@ static ix_status polyline(ix_ctx *ctx, int n, const double *u, const double *x,
     return ix_mv_new(ctx, 1, &d, 2, false, pts, out);
 }
 
+/* Distance of vertices i and k. */
+static double apart(const double *x, int i, int k)
+{
+    return hypot(x[2 * i] - x[2 * k], x[2 * i + 1] - x[2 * k + 1]);
+}
+
 /* Knots of n vertices from 0 to 1 by their distances; points that fall
- * together are left out of x and y (if not NULL). Returns how many are left. */
+ * together are left out of x and y (if not NULL), but never the last. Returns
+ * how many are left. */
 static int by_length(int n, double *x, double *y, double *u)
 {
-    double size = 0.0, sum = 0.0;
+    double size = 0.0, sum;
     int m = 1;
 
     for (int i = 1; i < n; i++)
-        size += hypot(x[2 * i] - x[2 * i - 2], x[2 * i + 1] - x[2 * i - 1]);
+        size += apart(x, i, i - 1);
     u[0] = 0.0;
     for (int i = 1; i < n; i++) {
-        double step = hypot(x[2 * i] - x[2 * m - 2],
-                            x[2 * i + 1] - x[2 * m - 1]);
-
-        if (!(step > 1e-12 * size) && i + 1 < n)
-            continue;
-        sum += step;
-        u[m] = sum;
+        if (!(apart(x, i, m - 1) > 1e-12 * size)) {
+            if (i + 1 < n)
+                continue;
+            m = m > 1 ? m - 1 : 1; /* the one before gives way */
+        }
+        u[m] = u[m - 1] + apart(x, i, m - 1);
         memmove(x + 2 * m, x + 2 * i, 2 * sizeof(double));
         if (y)
             memmove(y + 2 * m, y + 2 * i, 2 * sizeof(double));
         m++;
     }
+    sum = u[m - 1];
     for (int i = 1; i < m; i++)
         u[i] /= sum;
     u[m - 1] = 1.0;
