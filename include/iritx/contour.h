@@ -17,6 +17,14 @@ extern "C" {
 ix_status ix_contour(ix_ctx *ctx, const ix_mv *m, const double plane[4],
                      double tol, ix_solution_curves *out) IX_MUST_CHECK;
 
+/* The same for what is to be drawn on another surface with these parameters:
+ * within tol of its size there, too, and without edges that are one point of
+ * it. on NULL: in the plane of the parameters; ix_contour: on m, unless that is
+ * a scalar. */
+ix_status ix_contour_on(ix_ctx *ctx, const ix_mv *m, const double plane[4],
+                        const ix_mv *on, double tol,
+                        ix_solution_curves *out) IX_MUST_CHECK;
+
 /* The scalar a x + b y + c z + d w (the numerator) with the directions of m. */
 ix_status ix_contour_field(ix_ctx *ctx, const ix_mv *m, const double plane[4],
                            ix_mv **out) IX_MUST_CHECK;

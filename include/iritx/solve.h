@@ -129,6 +129,11 @@ typedef struct {
     int crowd;  /* undecided cells after which cell doubles; 0: 64, which a
                    singular point in 4 unknowns at which several curves touch
                    may exceed */
+    const ix_mv *image; /* a curve or surface in space whose parameters are the
+                           unknowns from image_at on: the polyline's image is
+                           within tol of the image's size, too. NULL: none;
+                           borrowed */
+    int image_at;
 } ix_curves_opts;
 
 typedef enum {

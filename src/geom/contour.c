@@ -15,20 +15,31 @@ ix_status ix_contour_field(ix_ctx *ctx, const ix_mv *m, const double plane[4],
     return ix__affine_field(ctx, m, plane, out);
 }
 
-/* f is consumed. */
-static ix_status trace(ix_ctx *ctx, ix_mv *f, double tol,
+/* The zeros of f, which is consumed, on s, without its poles; s NULL: in the
+ * plane of the parameters. */
+static ix_status trace(ix_ctx *ctx, ix_mv *f, const ix_mv *s, double tol,
                        ix_solution_curves *out)
 {
     const ix_equation eq = {.f = f, .axis = f->rational, .rel = IX_EQUAL_ZERO};
-    const ix_curves_opts o = {.tol = tol};
+    const ix_curves_opts o = {.tol = tol, .image = s};
     ix_status st = ix_solve_curves(ctx, 1, &eq, &o, out);
 
     ix_mv_unref(ctx, f);
+    if (st == IX_OK && s)
+        st = ix__drop_point_curves(ctx, s, 0, out);
+    if (st != IX_OK)
+        ix_solution_curves_free(ctx, out);
     return st;
 }
 
 ix_status ix_contour(ix_ctx *ctx, const ix_mv *m, const double plane[4],
                      double tol, ix_solution_curves *out)
+{
+    return ix_contour_on(ctx, m, plane, m->ncoords > 1 ? m : NULL, tol, out);
+}
+
+ix_status ix_contour_on(ix_ctx *ctx, const ix_mv *m, const double plane[4],
+                        const ix_mv *on, double tol, ix_solution_curves *out)
 {
     ix_mv *f;
 
@@ -39,18 +50,7 @@ ix_status ix_contour(ix_ctx *ctx, const ix_mv *m, const double plane[4],
                        "a surface is wanted",
                        m->ndirs);
     IX_TRY(ix__affine_field(ctx, m, plane, &f));
-    return trace(ctx, f, tol, out);
-}
-
-/* What has been traced on s, without its poles. */
-static ix_status on_surface(ix_ctx *ctx, const ix_mv *s, ix_status st,
-                            ix_solution_curves *out)
-{
-    IX_TRY(st);
-    st = ix__drop_point_curves(ctx, s, 0, out);
-    if (st != IX_OK)
-        ix_solution_curves_free(ctx, out);
-    return st;
+    return trace(ctx, f, on, tol, out);
 }
 
 ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
@@ -64,7 +64,7 @@ ix_status ix_silhouette(ix_ctx *ctx, const ix_mv *s, const double view[3],
     if (!(view[0] * view[0] + view[1] * view[1] + view[2] * view[2] > 0))
         return IX_FAIL(ctx, IX_EARG, "a view direction of length 0");
     IX_TRY(ix_srf_normal_field(ctx, s, &n));
-    st = on_surface(ctx, s, ix_contour(ctx, n, v, tol, out), out);
+    st = ix_contour_on(ctx, n, v, s, tol, out);
     ix_mv_unref(ctx, n);
     return st;
 }
@@ -122,7 +122,7 @@ ix_status ix_isocline(ix_ctx *ctx, const ix_mv *s, const double view[3],
 
     *out = (ix_solution_curves){.unknowns = 0};
     IX_TRY(ix_isocline_field(ctx, s, view, theta, &f));
-    return on_surface(ctx, s, trace(ctx, f, tol, out), out);
+    return trace(ctx, f, s, tol, out);
 }
 
 ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
@@ -141,7 +141,7 @@ ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],
     ix_mv_unref(ctx, n);
     ix_mv_unref(ctx, moment);
     IX_TRY(st);
-    return on_surface(ctx, s, trace(ctx, f, tol, out), out);
+    return trace(ctx, f, s, tol, out);
 }
 
 ix_status ix_implicit_extremes(ix_ctx *ctx, const ix_mv *f, int dir,

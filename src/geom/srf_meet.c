@@ -49,7 +49,7 @@ static ix_status difference(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
 ix_status ix_srf_srf_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
                           double tol, ix_solution_curves *out)
 {
-    const ix_curves_opts o = {.tol = tol, .max_boxes = MAX_CELLS};
+    const ix_curves_opts o = {.tol = tol, .max_boxes = MAX_CELLS, .image = a};
     ix_equation eq[3];
     ix_mv *f[3];
     ix_status st;

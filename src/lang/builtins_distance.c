@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "geom/point_curves.h"
 #include "iritx/contour.h"
 #include "iritx/distance.h"
 #include "iritx/geom_srf.h"
@@ -302,10 +301,8 @@ static ix_status contour(ix_call *c)
                            "a freeform of %d directions; a surface is "
                            "wanted",
                            on->ndirs);
-    IX_TRY(ix_contour(c->ctx, m, plane, ix__contour_tolerance(c), &s));
-    st = on ? ix__drop_point_curves(c->ctx, on, 0, &s) : IX_OK;
-    if (st == IX_OK)
-        st = ix__ret_contours(c, &s, on);
+    IX_TRY(ix_contour_on(c->ctx, m, plane, on, ix__contour_tolerance(c), &s));
+    st = ix__ret_contours(c, &s, on);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }

@@ -47,6 +47,7 @@ static ix_status solve(ix_ctx *ctx, int neq, const ix_equation *eq,
                        neq - (o ? o->checks : 0), n);
     IX_TRY(ix__patches_make(ctx, neq, eq, &p));
     set_up(ctx, neq, eq, o, &p, &s);
+    IX_TRY(ix__curves_take_image(ctx, o, &s));
     IX_SCRATCH(ctx, b.c, (size_t)neq * s.t.shape.size);
     for (int i = 0; i < neq; i++)
         p.err[i] += ROUNDED;

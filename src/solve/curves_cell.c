@@ -486,6 +486,20 @@ static double sag(const ix__curves *s, const ix__box *b, const double *p,
     return sqrt(d);
 }
 
+/* As sag, in the image of the curve. */
+static double image_sag(const ix__curves *s, const graph *g, const double *p,
+                        const double *x, const double *r)
+{
+    double t[3][4];
+
+    if (!s->image)
+        return 0;
+    to_global(s, g, p, t[0]);
+    to_global(s, g, x, t[1]);
+    to_global(s, g, r, t[2]);
+    return ix__curves_image_sag(s, t[0], t[1], t[2]);
+}
+
 typedef struct {
     double p[4], r[4];
     int level;
@@ -513,7 +527,8 @@ static ix_status trace(search *q, const graph *g, const double *p,
         for (int j = 0; j < s->n; j++)
             x[j] = 0.5 * (c.p[j] + c.r[j]);
         if (c.level < MAX_LEVEL && correct(q, g, x) < 1e-6 &&
-            (c.level < 2 || sag(s, g->b, c.p, x, c.r) > 0.5 * s->tol)) {
+            (c.level < 2 || sag(s, g->b, c.p, x, c.r) > 0.5 * s->tol ||
+             image_sag(s, g, c.p, x, c.r) > 0.5 * s->tol)) {
             chord lo = c, hi = c;
 
             memcpy(lo.r, x, sizeof x);

@@ -22,6 +22,9 @@ typedef struct {
     bool joined[IX_MAX_UNKNOWNS]; /* the patch has an upper neighbour with the
                                      same values on the common face */
     double tol;
+    const ix_mv *image; /* of the unknowns from image_at on; NULL: none */
+    int image_at;
+    double image_size;
     bool area; /* an equation is zero on all of a patch */
     ix__arc *arc;
     int narcs, arc_cap;
@@ -33,6 +36,14 @@ typedef struct {
 
 ix_status ix__curves_add_pt(ix__curves *s, const double *x) IX_MUST_CHECK;
 ix_status ix__curves_add_arc(ix__curves *s, int first) IX_MUST_CHECK;
+
+/* The image of o, if it has a size. */
+ix_status ix__curves_take_image(ix_ctx *ctx, const ix_curves_opts *o,
+                                ix__curves *s) IX_MUST_CHECK;
+/* Distance of the image of x from the chord of those of p and r, as a part of
+ * the image's size; 0 at a pole. */
+double ix__curves_image_sag(const ix__curves *s, const double *p,
+                            const double *x, const double *r);
 
 /* All arcs in the patch b. */
 ix_status ix__curves_patch(ix__curves *s, const ix__box *b) IX_MUST_CHECK;

@@ -254,6 +254,41 @@ static void common_edge(void **state)
     }
 }
 
+/* Law: with an image, chords are within tol of it in space, too: the line
+ * x = 0.25 of the unit square as the parabola (y, 2 (y - 0.5)^2). */
+static void image(void **state)
+{
+    double box[6][2],
+        pts[2 * 6] = {0, 0, 0.5, 0.5, 1, 1, 0.5, 0.5, -0.5, -0.5, 0.5, 0.5};
+    const ix_dir d[2] = {{.basis = IX_BEZIER, .order = 2, .length = 2},
+                         {.basis = IX_BEZIER, .order = 3, .length = 3}};
+    ix_curves_opts o = {.tol = 1e-4};
+    ix_solution_curves s;
+    ix_equation eq;
+    ix_mv *f, *m;
+
+    (void)state;
+    fill(box, 0, 1);
+    f = st_mv(ctx, "x - 0.25", 2, box);
+    eq = (ix_equation){f, 0, IX_EQUAL_ZERO};
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, d, 2, false, pts, &m));
+    o.image = m;
+    ASSERT_OK(ctx, ix_solve_curves(ctx, 1, &eq, &o, &s));
+    assert_int_equal(s.ncurves, 1);
+    assert_true(s.curve[0].n > 30 && s.curve[0].n < 200);
+    for (int i = 1; i < s.curve[0].n; i++) {
+        double h = s.curve[0].x[2 * i + 1] - s.curve[0].x[2 * i - 1];
+
+        assert_true(fabs(h) > 0);
+        assert_true(h * h / 2 <= 1e-4); /* a chord of 2 y^2 is off by that */
+    }
+    ix_solution_curves_free(ctx, &s);
+    o.image_at = 1;
+    assert_int_equal(ix_solve_curves(ctx, 1, &eq, &o, &s), IX_EARG);
+    ix_mv_unref(ctx, f);
+    ix_mv_unref(ctx, m);
+}
+
 /* A closed curve that a knot line follows, or cuts in its vertices. */
 static void knot_lines(void **state)
 {
@@ -510,12 +545,17 @@ static void multiple_components(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(regular),       cmocka_unit_test(ellipses),
-        cmocka_unit_test(singular),      cmocka_unit_test(boundary),
-        cmocka_unit_test(common_edge),   cmocka_unit_test(knot_lines),
-        cmocka_unit_test(more_unknowns), cmocka_unit_test(boundary_roots),
-        cmocka_unit_test(errors),        cmocka_unit_test(multiple_components)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(regular),
+                                       cmocka_unit_test(ellipses),
+                                       cmocka_unit_test(singular),
+                                       cmocka_unit_test(boundary),
+                                       cmocka_unit_test(common_edge),
+                                       cmocka_unit_test(image),
+                                       cmocka_unit_test(knot_lines),
+                                       cmocka_unit_test(more_unknowns),
+                                       cmocka_unit_test(boundary_roots),
+                                       cmocka_unit_test(errors),
+                                       cmocka_unit_test(multiple_components)};
 
     return cmocka_run_group_tests(tests, setup, teardown);
 }
