@@ -39,7 +39,8 @@ static ix_status take_points(ix_ctx *ctx, const ix_mv *s, int nu, int nv,
         ix_mv_domain(s, d, dom[d]);
     memcpy(out->u, dom[0], sizeof out->u);
     for (int i = 0; i < out->n; i++) {
-        double x = (double)(i / nv) / (nu - 1), y = (double)(i % nv) / (nv - 1);
+        int column = i / nv, row = i % nv;
+        double x = column / (nu - 1.0), y = row / (nv - 1.0);
 
         t[0] = (1 - x) * dom[0][0] + x * dom[0][1];
         t[1] = (1 - y) * dom[1][0] + y * dom[1][1];

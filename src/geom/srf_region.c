@@ -257,7 +257,7 @@ static edge *next_edge(const region *r, int v, bool *back)
 
 static ix_status walk(region *r, edge *e, ix_lines *out)
 {
-    int start = e->v[0], v = start;
+    int start = e->v[0], v;
     bool back = false, first = true;
 
     out->count[out->n] = 0;

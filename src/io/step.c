@@ -108,7 +108,7 @@ void ix__step_style(ix__step *s, long geometry, bool surface)
         style = ix__step_entity(s);
         ix__buf_printf(s->b, "SURFACE_STYLE_USAGE(.BOTH.,#%ld);\n", style - 1);
     } else {
-        style = ix__step_entity(s);
+        (void)ix__step_entity(s);
         ix__buf_puts(s->b,
                      "DRAUGHTING_PRE_DEFINED_CURVE_FONT('continuous');\n");
         style = ix__step_entity(s);

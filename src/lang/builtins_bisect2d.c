@@ -384,7 +384,7 @@ static ix_status ret_lines(ix_call *c, const ix_lines *l)
     for (int i = 0; st == IX_OK && i < l->n; p += l->count[i], i++) {
         int n = l->count[i];
 
-        x = ix__scratch(c->ctx, (size_t)(3 * n), sizeof *x);
+        x = ix__scratch(c->ctx, 3 * (size_t)n, sizeof *x);
         if (!x) {
             st = IX_ENOMEM;
             break;

@@ -208,7 +208,7 @@ static ix_status set_format(ix_call *c, ix_states *s)
                            f);
     IX_TRY(ix__ret(
         c, ix__obj_string(c->ctx, s->float_format, strlen(s->float_format))));
-    strcpy(s->float_format, f);
+    memcpy(s->float_format, f, strlen(f) + 1);
     s->float_format_set = true;
     return IX_OK;
 }

@@ -300,12 +300,13 @@ static bool full_degree(const poly *a, int d)
 /* Cancelled leading coefficients ("A^2 - A^2 + B") leave no degree behind. */
 static ix_status trim(parser *p, poly *a)
 {
-    poly t = *a, old = *a;
+    poly t = *a;
 
     for (int d = 0; d < p->ndirs; d++)
         while (t.deg[d] > 0 && !full_degree(&t, d)) {
-            t.deg[d]--;
-            old = t;
+            poly old = t;
+
+            old.deg[d]--;
             IX_TRY(poly_new(p, old.deg, &t));
             for (size_t i = 0; i < t.n; i++)
                 t.c[i] = a->c[place(p, &t, i, a)];
