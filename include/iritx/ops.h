@@ -80,8 +80,10 @@ typedef struct {
  *       IX_EDOMAIN  both are the same curve, perhaps reversed
  *       IX_EDOMAIN  all weights of the input are zero
  *       IX_EUNABLE  an order above IX_MAX_ORDER
- * Num   in a frame of size 1, as six products of minors for each coordinate;
- *       relative equidistance about 1e-14 where the weight is not small
+ * Num   as six products of minors for each coordinate, those of each curve
+ *       computed in its own frame: relative equidistance about 1e-14 where the
+ *       weight is not small, also for curves that are small in comparison with
+ *       their distance
  * Src   Elber and Kim 1998, equations (4)-(6); the degree by minors of lifted
  *       curves (docs/ops/cbisector3d.md) */
 ix_status ix_cbisector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,

@@ -136,6 +136,8 @@ ix_status ix_calphasector3d(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
  *             pole) and where there is no normal
  *       rep   residual: equal distances along the normal on a 5 x 5 grid,
  *             relative; poles are left out
+ * Num   in the surface's own frame: a few roundings (rational: 100) of the
+ *       largest of B, its coordinates and its size, however far Q is
  * Err   IX_EARG    not a surface of 2 or 3 coordinates; q not finite
  *       IX_EDOMAIN the normal vanishes identically; all tangent planes pass
  *                  through Q: a plane through it, a cone with that apex
@@ -182,7 +184,7 @@ ix_status ix_ratio_sector(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
 /* Directions equally far, on the unit sphere around the origin, from the point
  * q and a curve on it: (q - C) x C', as points of the plane z = 1.
  *
- * Out   *out   P3 over the domain of crv, degree 2d - 1 / 2d - 2
+ * Out   *out   P3 over the domain of crv, degree 2d - 2
  * Err   as ix_pt_crv_bisector3d; IX_EDOMAIN all directions are in the plane z
  *       = 0 */
 ix_status ix_sphere_bisector_point(ix_ctx *ctx, const ix_mv *crv,

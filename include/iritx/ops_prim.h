@@ -39,8 +39,8 @@ typedef struct {
  *       other cuts out of the unit sphere
  *   cylinders and cones: the planes through axis and ruling of both, and equal
  *       distances from both tangent planes
- *   two lines, tori with lines, cylinders and tori of the same (minor) radius:
- *       ix_cbisector3d of their spines
+ *   two lines, cylinders and tori with lines, cylinders and tori of the same
+ *       (minor) radius: ix_cbisector3d of their spines
  *
  * Special positions (directions within 1e-9, lengths within 1e-12 of size) have
  * lower ones:
@@ -59,7 +59,8 @@ typedef struct {
  * In    a, b   in any order, in any position
  *       size   > 0: how far unbounded primitives (from pos, both ways) or the
  *              bisecting cone (from its apex) go
- *       o      IX_FORM_IRIT: in pairs with a sphere, and cones with one apex,
+ *       o      IX_FORM_IRIT: skew cylinders of one radius by tangent planes; in
+ *              pairs with a sphere, and cones with one apex,
  *              the offset that IRIT has: that of a sphere inside the other (two
  *              spheres: outside; cones: |a1 - a2|). Else that of the actual
  *              position. Degrees are those of minimal forms, reduced

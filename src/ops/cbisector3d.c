@@ -172,6 +172,49 @@ static ix_status load_factors(ix_ctx *ctx, const ix_form *f, bool rational,
     return IX_OK;
 }
 
+/* |p|^2 D and w p_k D_j of a curve moved by a, with w^2 D before them. */
+static void move_sector(ix_form *m, const double a[3])
+{
+    int sign, tangent = ix__lift_minor(0, 3, &sign);
+    double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+
+    for (size_t i = 0; i < m->n; i++)
+        for (int j = 0; j < 3; j++) {
+            double d = m->c[(size_t)(tangent + j) * m->n + i],
+                   *q = m->c + (size_t)(QUADRATIC + j) * m->n + i;
+
+            *q += aa * d;
+            for (int k = 0; k < 3; k++) {
+                double *x = m->c + (size_t)(MIXED + 3 * k + j) * m->n + i;
+
+                *q += 2.0 * a[k] * *x;
+                *x += a[k] * d;
+            }
+        }
+}
+
+/* The factors of curve i in the frame of both. They are computed around the
+ * curve itself, where the differences that make them do not cancel if it is
+ * small in comparison with the distance of both, and moved. */
+static ix_status place_factors(ix_ctx *ctx, const ix_mv *c, const task *k,
+                               ix_crv_pair *p, int i)
+{
+    ix_frame own, near = p->frame;
+    double a[3];
+
+    IX_TRY(ix__frame_of(ctx, 1, &c, &own));
+    for (int j = 0; j < 3; j++) {
+        near.shift[j] = own.shift[j];
+        a[j] = ldexp(own.shift[j] - p->frame.shift[j], -p->frame.exp);
+    }
+    IX_TRY(ix__forms_load(ctx, 1, &c, &near, &p->f[i]));
+    IX_TRY(load_factors(ctx, &p->f[i], c->rational, k, &p->minors[i]));
+    ix__lift_move(&p->minors[i], a);
+    if (k->alpha != 0.5)
+        move_sector(&p->minors[i], a);
+    return IX_OK;
+}
+
 static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
                            ix_crv_pair *p)
 {
@@ -182,8 +225,7 @@ static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
     for (int i = 0; i < 2; i++) {
         int degree;
 
-        IX_TRY(ix__forms_load(ctx, 1, &c[i], &p->frame, &p->f[i]));
-        IX_TRY(load_factors(ctx, &p->f[i], c[i]->rational, k, &p->minors[i]));
+        IX_TRY(place_factors(ctx, c[i], k, p, i));
         degree = wanted_degree(k->form, both, p->f[i].dirs[0].degree,
                                p->minors[i].dirs[0].degree);
         IX_TRY(ix__form_elevate(ctx, &p->minors[i], &degree, &p->minors[i]));

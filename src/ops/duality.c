@@ -68,7 +68,7 @@ static ix_status load(ix_ctx *ctx, const ix_mv *m, tangents *t)
     ix_status st;
 
     if (m->ndirs == 2) {
-        IX_TRY(ix__surface_load(ctx, m, NULL, &t->s));
+        IX_TRY(ix__surface_load(ctx, m, &t->s));
         t->x = (ix_frac){t->s.p, t->s.w, t->s.rational};
         t->n = t->s.m;
         t->c = ix__form_rows(&t->s.plane, 3, 1);

@@ -90,3 +90,35 @@ ix_status ix__lift_tangents(ix_ctx *ctx, const ix_form *f, bool rational,
     return rational ? rational_tangents(ctx, f, out)
                     : affine_tangents(ctx, f, out);
 }
+
+/* (x + a 1) x (q + 2 a.x + |a|^2 1) and so on, for one coefficient of each row:
+ * double[10][n]. */
+static void move_one(double *m, size_t n, const double a[3], double aa)
+{
+    double cross[3], tangent[3], along = 0.0, turned[3], one_q = m[9 * n];
+
+    for (size_t k = 0; k < 3; k++) {
+        cross[k] = m[k * n];
+        tangent[k] = m[(3 + k) * n];
+        along += a[k] * tangent[k];
+    }
+    for (size_t k = 0; k < 3; k++) {
+        size_t i = (k + 1) % 3, j = (k + 2) % 3;
+
+        /* sum of a_i x_k ^ x_i */
+        turned[k] = a[i] * cross[j] - a[j] * cross[i];
+        m[k * n] += a[j] * tangent[i] - a[i] * tangent[j];
+    }
+    for (size_t k = 0; k < 3; k++)
+        m[(6 + k) * n] += 2.0 * turned[k] + aa * tangent[k] + a[k] * one_q -
+                          2.0 * a[k] * along;
+    m[9 * n] -= 2.0 * along;
+}
+
+void ix__lift_move(ix_form *m, const double a[3])
+{
+    double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+
+    for (size_t i = 0; i < m->n; i++)
+        move_one(m->c + i, m->n, a, aa);
+}

@@ -31,4 +31,9 @@ ix_status ix__lift_formal(ix_ctx *ctx, const ix_form *f,
  * z1 xq yq zq 1q, and the sign that it has there. */
 int ix__lift_minor(int i, int j, int *sign);
 
+/* The ten minors (rows 0 .. 9 of m) of the curve moved by a, in place: x + a,
+ * q + 2 a.x + |a|^2. Sums without cancellation: minors that were computed next
+ * to the curve keep their relative accuracy however far it is moved. */
+void ix__lift_move(ix_form *m, const double a[3]);
+
 #endif

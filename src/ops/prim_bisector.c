@@ -418,7 +418,8 @@ static ix_status with_torus(ix_ctx *ctx, task *k)
     return spines(ctx, k);
 }
 
-/* Lines (cylinders of radius 0), cylinders and cones. */
+/* Lines (cylinders of radius 0), cylinders and cones. Cylinders of one radius
+ * have the bisector of their axes. */
 static ix_status axes(ix_ctx *ctx, task *k)
 {
     const ix_prim *a = &k->a, *b = &k->b;
@@ -427,6 +428,9 @@ static ix_status axes(ix_ctx *ctx, task *k)
     ix__prim_set s = {.n = 0};
     ix_status st;
 
+    if (a->kind == IX_PRIM_CYLINDER && !parallel && !k->irit &&
+        fabs(a->radius - b->radius) <= IX__ONE_POINT * k->size)
+        return lines(ctx, k);
     if (a->kind != IX_PRIM_CONE && parallel)
         st = ix__prim_parallel_axes(ctx, a, b, k->size, &s);
     else if (ix__prim_is_coaxial(a, b, k->size))

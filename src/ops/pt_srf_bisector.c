@@ -1,66 +1,106 @@
 /* pt_srf_bisector.c - the bisector of a point and a surface.
  *
- * With Q as the origin, S = p / w and the tangent plane m.X + c = 0 of S, c w =
- * -m.p: the point S + lambda m of the normal has the distance |S + lambda m|
- * from Q and |lambda m| from S, so that lambda = |p|^2 / (2 w^2 c) and
+ * With S = p / w, the tangent plane m.X + c = 0 of S, and r = p - w Q: the
+ * point S + lambda m of the normal has the distance |r / w + lambda m| from Q
+ * and |lambda m| from S, so that lambda = |r|^2 / (2 w^2 h), h = m.Q + c = -m.r
+ * / w, and
  *
- *   B = (2 w c p + |p|^2 m) / (2 w^2 c).
+ *   B = (2 w h p + |r|^2 m) / (2 w^2 h).
  *
- * The forms naive and IRIT solve S_u.B = S_u.S, S_v.B = S_v.S, S.B = |S|^2 / 2
- * by Cramer's rule on fractions instead, each row over one denominator. */
+ * All of that in the surface's own frame: with Q as the origin the differences
+ * that make m would cancel where Q is far in comparison with the surface.
+ *
+ * The forms naive and IRIT solve S_u.B = S_u.S, S_v.B = S_v.S, (S - Q).B =
+ * (S - Q).(S + Q) / 2 by Cramer's rule on fractions instead, each row over one
+ * denominator. */
 #include "geom/vec3.h"
 #include "iritx/ops_bisect.h"
 #include "ops/report.h"
 #include "ops/srf_naive.h"
 
-/* c is zero where the tangent plane passes through Q. */
-static ix_status check_planes(ix_ctx *ctx, const ix_surface *s,
-                              const ix_form *c)
-{
-    double at_q, m, p;
+typedef struct {
+    ix_surface s;
+    double q[3]; /* in the frame of s */
+    ix_form wq, r, h;
+} task;
 
-    IX_TRY(ix__form_bound(ctx, c, &at_q));
-    IX_TRY(ix__form_bound(ctx, &s->m, &m));
-    IX_TRY(ix__form_bound(ctx, &s->p, &p));
-    if (at_q > s->band * m * p)
+/* h is zero where the tangent plane passes through Q. */
+static ix_status check_planes(ix_ctx *ctx, const task *k)
+{
+    double at_q, m, r, c, q;
+    ix_form at_origin = ix__form_rows(&k->s.plane, 3, 1);
+
+    IX_TRY(ix__form_bound(ctx, &k->h, &at_q));
+    IX_TRY(ix__form_bound(ctx, &k->s.m, &m));
+    IX_TRY(ix__form_bound(ctx, &k->r, &r));
+    IX_TRY(ix__form_bound(ctx, &at_origin, &c));
+    q = ix__len3(k->q);
+    /* of the terms of h, and of all it could be */
+    if (at_q > k->s.band * fmax(m * r, m * q + c))
         return IX_OK;
     return IX_FAIL(ctx, IX_EDOMAIN,
                    "all tangent planes pass through the point (within %.3g of "
                    "the size of both): a plane, or a cone with its apex there",
-                   at_q / (m * p));
+                   at_q / (m * r));
 }
 
-static ix_status minimal(ix_ctx *ctx, const ix_surface *s, const ix_form *c,
-                         ix_form *x, ix_form *den)
+static ix_status load(ix_ctx *ctx, const ix_mv *srf, const double q[3], task *k)
 {
-    ix_form y, pp;
+    ix_form at, c, x;
 
-    IX_TRY(ix__form_mul(ctx, c, &s->w, den));
+    IX_TRY(ix__surface_load(ctx, srf, &k->s));
+    for (int i = 0; i < 3; i++)
+        k->q[i] = ldexp(q[i] - k->s.frame.shift[i], -k->s.frame.exp);
+    IX_TRY(ix__form_constant(ctx, &k->s.p, 3, k->q, &at));
+    IX_TRY(ix__form_mul(ctx, &at, &k->s.w, &k->wq));
+    IX_TRY(ix__form_add(ctx, &k->s.p, -1, &k->wq, &k->r));
+    c = ix__form_rows(&k->s.plane, 3, 1);
+    IX_TRY(ix__form_dot(ctx, &k->s.m, &at, &x));
+    IX_TRY(ix__form_add(ctx, &c, 1, &x, &k->h));
+    return check_planes(ctx, k);
+}
+
+static ix_status minimal(ix_ctx *ctx, const task *k, ix_form *x, ix_form *den)
+{
+    ix_form y, rr;
+
+    IX_TRY(ix__form_mul(ctx, &k->h, &k->s.w, den));
     ix__form_times(den, 2.0);
-    IX_TRY(ix__form_mul(ctx, &s->p, den, x));
-    IX_TRY(ix__form_dot(ctx, &s->p, &s->p, &pp));
-    IX_TRY(ix__form_mul(ctx, &s->m, &pp, &y));
+    IX_TRY(ix__form_mul(ctx, &k->s.p, den, x));
+    IX_TRY(ix__form_dot(ctx, &k->r, &k->r, &rr));
+    IX_TRY(ix__form_mul(ctx, &k->s.m, &rr, &y));
     IX_TRY(ix__form_add(ctx, x, 1, &y, x));
-    return ix__form_mul(ctx, den, &s->w, den);
+    return ix__form_mul(ctx, den, &k->s.w, den);
 }
 
-/* Rows S_u, S_v, S times w, so that their right sides have the same weights. */
-static ix_status cramer(ix_ctx *ctx, const ix_surface *s, ix_form *x,
-                        ix_form *den)
+/* Rows S_u, S_v, S - Q times w, so that their right sides have the same
+ * weights. */
+static ix_status rows_of(ix_ctx *ctx, const task *k, ix_form row[3],
+                         ix_form right[3])
 {
+    const ix_surface *s = &k->s;
     ix_frac d, f = {s->p, s->w, s->rational};
-    ix_form row[3] = {{0}}, right[3], cross, term;
+    ix_form sum;
 
-    for (int i = 0; i < 3; i++) {
-        d = f;
-        if (i < 2)
-            IX_TRY(ix__ratio_partial(ctx, &f, i, &d));
+    for (int i = 0; i < 2; i++) {
+        IX_TRY(ix__ratio_partial(ctx, &f, i, &d));
         IX_TRY(ix__form_dot(ctx, &d.x, &s->p, &right[i]));
         row[i] = d.x;
-        if (s->rational)
-            IX_TRY(ix__form_mul(ctx, &d.x, &s->w, &row[i]));
     }
+    IX_TRY(ix__form_add(ctx, &s->p, 1, &k->wq, &sum));
+    IX_TRY(ix__form_dot(ctx, &k->r, &sum, &right[2]));
     ix__form_times(&right[2], 0.5);
+    row[2] = k->r;
+    for (int i = 0; i < 3 && s->rational; i++)
+        IX_TRY(ix__form_mul(ctx, &row[i], &s->w, &row[i]));
+    return IX_OK;
+}
+
+static ix_status cramer(ix_ctx *ctx, const task *k, ix_form *x, ix_form *den)
+{
+    ix_form row[3] = {{0}}, right[3], cross, term;
+
+    IX_TRY(rows_of(ctx, k, row, right));
     for (int i = 0; i < 3; i++) {
         IX_TRY(
             ix__form_cross(ctx, &row[(i + 1) % 3], &row[(i + 2) % 3], &cross));
@@ -78,17 +118,15 @@ static ix_status cramer(ix_ctx *ctx, const ix_surface *s, ix_form *x,
 static ix_status build(ix_ctx *ctx, const ix_mv *srf, const double q[3],
                        const ix_op_opts *o, ix_mv **out)
 {
-    ix_surface s;
-    ix_form c, x, den;
-    ix__field f = {&den, &x, 0, &s.frame};
+    task k;
+    ix_form x, den;
+    ix__field f = {&den, &x, 0, &k.s.frame};
 
-    IX_TRY(ix__surface_load(ctx, srf, q, &s));
-    c = ix__form_rows(&s.plane, 3, 1);
-    IX_TRY(check_planes(ctx, &s, &c));
+    IX_TRY(load(ctx, srf, q, &k));
     if (ix__naive_wanted(o))
-        IX_TRY(cramer(ctx, &s, &x, &den));
+        IX_TRY(cramer(ctx, &k, &x, &den));
     else
-        IX_TRY(minimal(ctx, &s, &c, &x, &den));
+        IX_TRY(minimal(ctx, &k, &x, &den));
     return ix__field_store(ctx, &f, o, out);
 }
 

@@ -98,7 +98,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *m, int which,
 {
     ix_surface s;
 
-    IX_TRY(ix__surface_load(ctx, m, NULL, &s));
+    IX_TRY(ix__surface_load(ctx, m, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
     return which < 0 ? evolute(ctx, &s, o, out) : focal(ctx, &s, which, o, out);
 }

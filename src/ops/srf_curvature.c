@@ -77,7 +77,7 @@ static ix_status forms(ix_ctx *ctx, const ix_mv *m, int k, const ix_op_opts *o,
     ix_frac x[3];
     ix_surface s;
 
-    IX_TRY(ix__surface_load(ctx, m, NULL, &s));
+    IX_TRY(ix__surface_load(ctx, m, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
     if (ix__naive_wanted(o))
         IX_TRY(naive_forms(ctx, &s, k, o->form == IX_FORM_IRIT, x));
@@ -274,7 +274,7 @@ static ix_status build(ix_ctx *ctx, const ix_mv *m, const kind *k,
     ix_surface s;
     ix_srf_naive n;
 
-    IX_TRY(ix__surface_load(ctx, m, NULL, &s));
+    IX_TRY(ix__surface_load(ctx, m, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
     if (ix__naive_wanted(o)) {
         IX_TRY(ix__naive_surface(ctx, &s, o->form == IX_FORM_IRIT, &n));

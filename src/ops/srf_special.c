@@ -66,7 +66,7 @@ static ix_status equations(ix_ctx *ctx, const ix_mv *m, ix_mv *f[2])
 {
     ix_surface s;
 
-    IX_TRY(ix__surface_load(ctx, m, NULL, &s));
+    IX_TRY(ix__surface_load(ctx, m, &s));
     IX_TRY(ix__surface_forms(ctx, &s));
     IX_TRY(mismatch(ctx, &s, 0, 1, &f[0]));
     return mismatch(ctx, &s, 0, 2, &f[1]);

@@ -9,28 +9,6 @@
 /* --- loading ---------------------------------------------------------------
  */
 
-/* The frame of s, moved so that origin is its origin. */
-static ix_status frame_of(ix_ctx *ctx, const ix_mv *s, const double *origin,
-                          ix_frame *f)
-{
-    double far = 0.0;
-    int e;
-
-    IX_TRY(ix__frame_of(ctx, 1, &s, f));
-    if (!origin)
-        return IX_OK;
-    for (int k = 0; k < 3; k++) {
-        far = fmax(far, fabs(f->shift[k] - origin[k]));
-        f->shift[k] = origin[k];
-    }
-    (void)frexp(far, &e);
-    if (far > 0.0 && e > f->exp) {
-        f->noise = ldexp(f->noise, f->exp - e);
-        f->exp = e;
-    }
-    return IX_OK;
-}
-
 /* p_i w - p w_i. */
 static ix_status tangent(ix_ctx *ctx, const ix_surface *s, int i, ix_form *out)
 {
@@ -94,15 +72,14 @@ static ix_status check_normal(ix_ctx *ctx, const ix_surface *s)
     return IX_OK;
 }
 
-static ix_status load(ix_ctx *ctx, const ix_mv *s, const double *origin,
-                      ix_surface *out)
+static ix_status load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
 {
     static const double one = 1.0;
     int r = s->rational ? 1 : 0;
     const ix_form *parts[2] = {&out->p, &out->w};
     ix_form f;
 
-    IX_TRY(frame_of(ctx, s, origin, &out->frame));
+    IX_TRY(ix__frame_of(ctx, 1, &s, &out->frame));
     IX_TRY(ix__forms_load(ctx, 1, &s, &out->frame, &f));
     out->rational = r;
     for (int i = 0; i < 2; i++)
@@ -120,8 +97,7 @@ static ix_status load(ix_ctx *ctx, const ix_mv *s, const double *origin,
     return ix__form_dot(ctx, &out->m, &out->m, &out->mm);
 }
 
-ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, const double *origin,
-                           ix_surface *out)
+ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
 {
     ix_mv *space;
     ix_status st;
@@ -132,7 +108,7 @@ ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, const double *origin,
                        "3 coordinates is needed",
                        s->ndirs, s->ncoords);
     IX_TRY(ix_mv_coerce(ctx, s, 3, s->rational, &space));
-    st = load(ctx, space, origin, out); /* copies what it needs */
+    st = load(ctx, space, out); /* copies what it needs */
     ix_mv_unref(ctx, space);
     return st;
 }

@@ -42,10 +42,9 @@ typedef struct {
     double band;        /* relative error of a product of the above */
 } ix_surface;
 
-/* origin: NULL, or what becomes the origin of the frame.
- * Err IX_EARG not a surface with 2 or 3 coordinates; IX_EDOMAIN the normal
+/* Err IX_EARG not a surface with 2 or 3 coordinates; IX_EDOMAIN the normal
  * vanishes identically. Fills all but g and b. */
-ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, const double *origin,
+ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s,
                            ix_surface *out) IX_MUST_CHECK;
 /* g and b; forms that are zero within their error become exactly zero. */
 ix_status ix__surface_forms(ix_ctx *ctx, ix_surface *s) IX_MUST_CHECK;

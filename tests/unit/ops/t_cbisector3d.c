@@ -246,6 +246,106 @@ static void badly_scaled(void **state)
     ix_ctx_free(ctx);
 }
 
+/* Value and derivative of a cubic relative to c0. */
+static void local_curve(const double *p, bool rational, const double c0[3],
+                        double u, double x[3], double d[3])
+{
+    double v = 1 - u, h[4] = {0}, g[4] = {0};
+    const double val[4] = {v * v * v, 3 * v * v * u, 3 * v * u * u, u * u * u},
+                 der[4] = {-3 * v * v, 3 * v * v - 6 * v * u,
+                           6 * v * u - 3 * u * u, 3 * u * u};
+
+    for (int i = 0; i < 4; i++) {
+        double w = rational ? p[i] : 1;
+
+        h[0] += val[i] * w;
+        g[0] += der[i] * w;
+        for (int k = 0; k < 3; k++) {
+            h[k + 1] += val[i] * (p[(k + rational) * 4 + i] - w * c0[k]);
+            g[k + 1] += der[i] * (p[(k + rational) * 4 + i] - w * c0[k]);
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        x[k] = h[k + 1] / h[0];
+        d[k] = (g[k + 1] - x[k] * g[0]) / h[0];
+    }
+}
+
+/* Law: curves of size 1 or 1e-6 that are 1 or 2^20 apart: B by three planes
+ * around the first curve, to 32 roundings of its distance over the
+ * determinant of the planes' unit normals. Rational ones have another 2^8 and
+ * are told apart from their distance only to 2^20. */
+static void small_and_far_apart(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng rng = ix_rng_new(41);
+
+    (void)state;
+    for (int i = 0; i < 48; i++) {
+        bool rational = i & 1;
+        double size = i & 2 && !(rational && i & 4) ? 1e-6 : 1,
+               gap = i & 4 ? 1 << 20 : 1, alpha = i & 8 ? 0.3 : 0.5;
+        double c0[2][3] = {{0, 0, 0}, {gap, gap / 2, -gap / 4}}, p[2][16];
+        double worst = 0;
+        ix_mv *m[2], *s;
+
+        for (int c = 0; c < 2; c++) {
+            for (int j = 0; j < 4; j++) {
+                const double at[3] = {c ? 0 : j / 3.0, c ? j / 3.0 : 0,
+                                      c / 2.0};
+                double w = rational ? 1 + 0.25 * (j % 2) : 1;
+
+                p[c][j] = w;
+                for (int k = 0; k < 3; k++)
+                    p[c][(k + rational) * 4 + j] =
+                        w * (c0[c][k] +
+                             size * (at[k] + ix_rng_range(&rng, -0.2, 0.2)));
+            }
+            m[c] = make_curve(ctx, 4, 4, NULL, rational, 3, p[c]);
+        }
+        ASSERT_OK(ctx,
+                  ix_calphasector3d(ctx, m[0], m[1], alpha, NULL, NULL, &s));
+        for (int j = 0; j < 9; j++) {
+            double t[2] = {(j % 3 + 0.5) / 3, (j / 3 + 0.5) / 3}, x[2][3];
+            double r[3][3], h[3], a[3], y[3], det, off = 0, far = gap;
+
+            for (int c = 0; c < 2; c++)
+                local_curve(p[c], rational, c0[c], t[c], x[c], r[c]);
+            for (int k = 0; k < 3; k++) {
+                x[1][k] += c0[1][k];
+                r[2][k] = x[1][k] - x[0][k];
+                a[k] = (1 - alpha) * x[0][k] + alpha * x[1][k];
+            }
+            for (int k = 0; k < 3; k++) {
+                h[k] = ix__dot3(r[k], k < 2 ? x[k] : a) / ix__len3(r[k]);
+                (void)ix__unit3(r[k], r[k]);
+            }
+            ix__cross3(r[1], r[2], a);
+            det = ix__dot3(r[0], a);
+            if (fabs(det) < 0.1)
+                continue;
+            ASSERT_OK(ctx, ix_mv_point(ctx, s, t, y));
+            for (int k = 0; k < 3; k++) {
+                double b = 0;
+
+                for (int l = 0; l < 3; l++) {
+                    ix__cross3(r[(l + 1) % 3], r[(l + 2) % 3], a);
+                    b += h[l] * a[k] / det;
+                }
+                far = fmax(far, fabs(b));
+                off = fmax(off, fabs(y[k] - b));
+            }
+            worst = fmax(worst, off * fabs(det) / far);
+        }
+        if (!(worst <= (rational ? 8192 : 32) * 2.3e-16))
+            fail_msg("case %d: off by %g", i, worst);
+        ix_mv_unref(ctx, m[0]);
+        ix_mv_unref(ctx, m[1]);
+        ix_mv_unref(ctx, s);
+    }
+    ix_ctx_free(ctx);
+}
+
 /* Two skew lines: degree (2, 2) and one weight, so a polynomial surface: the
  * hyperbolic paraboloid. Elber and Kim's example, (1, s, 0) and (0, 0, t),
  * whose bisector is ((1 - s^2 + t^2) / 2, s, t). */
@@ -738,6 +838,7 @@ int main(void)
         cmocka_unit_test(definition_holds),
         cmocka_unit_test(follows_motions_and_parameters),
         cmocka_unit_test(badly_scaled),
+        cmocka_unit_test(small_and_far_apart),
         cmocka_unit_test(skew_lines),
         cmocka_unit_test(skew_lines_at_an_angle),
         cmocka_unit_test(circle_and_axis),

@@ -87,6 +87,97 @@ static void definition_holds(void **state)
     }
 }
 
+/* Partials of a cubic Bezier form relative to c0: c0 and weights are such that
+ * the differences are exact. */
+static void local_jet(const double *p, bool rational, const double c0[3],
+                      const double t[2], double x[3][3])
+{
+    double b[2][2][4], h[3][4] = {{0}};
+
+    for (int d = 0; d < 2; d++) {
+        double u = t[d], v = 1 - u;
+        const double val[4] = {v * v * v, 3 * v * v * u, 3 * v * u * u,
+                               u * u * u},
+                     der[4] = {-3 * v * v, 3 * v * v - 6 * v * u,
+                               6 * v * u - 3 * u * u, 3 * u * u};
+
+        memcpy(b[d][0], val, sizeof val);
+        memcpy(b[d][1], der, sizeof der);
+    }
+    for (int i = 0; i < 16; i++)
+        for (int r = 0; r < 3; r++) {
+            double f = b[0][r == 1][i % 4] * b[1][r == 2][i / 4];
+            double w = rational ? p[i] : 1;
+
+            h[r][0] += f * w;
+            for (int k = 0; k < 3; k++)
+                h[r][k + 1] += f * (p[(k + rational) * 16 + i] - w * c0[k]);
+        }
+    for (int k = 0; k < 3; k++) {
+        x[0][k] = h[0][k + 1] / h[0][0];
+        for (int r = 1; r < 3; r++)
+            x[r][k] = (h[r][k + 1] - x[0][k] * h[r][0]) / h[0][0];
+    }
+}
+
+/* Law: a surface of size 1 or 1e-6, at the origin or 2^20 away, and a point
+ * next to it, at the distance 1, or at the origin: B as computed around the
+ * surface, to 64 roundings of the largest of B, the surface's place and its
+ * size (rational: 256, of which the products of weights and coordinates are
+ * most). */
+static void far_from_the_point(void **state)
+{
+    const ix_dir d[2] = {{IX_BEZIER, 4, 4, false, NULL},
+                         {IX_BEZIER, 4, 4, false, NULL}};
+
+    (void)state;
+    for (int i = 0; i < 48; i++) {
+        bool rational = i & 1;
+        double size = i & 2 ? 1e-6 : 1, far = i & 4 ? 1 << 20 : 0;
+        double c0[3] = {far, -far, far / 2}, p[64], q[3], worst = 0;
+        ix_mv *s, *b;
+
+        for (int j = 0; j < 16; j++) {
+            const double at[3] = {j % 4 / 3.0, j / 4 / 3.0, 0};
+            double w = rational ? 1 + 0.25 * (j % 3) : 1;
+
+            p[j] = w;
+            for (int k = 0; k < 3; k++)
+                p[(k + rational) * 16 + j] =
+                    w *
+                    (c0[k] + size * (at[k] + 0.15 * ix_rng_range(&rng, -1, 1)));
+        }
+        for (int k = 0; k < 3; k++)
+            q[k] = i / 8 % 3 == 0   ? c0[k] + size * (k == 2 ? 1.5 : 0.3)
+                   : i / 8 % 3 == 1 ? c0[k] + (k == 2 ? 1 : 0.5)
+                                    : 3.0 * (k == 2);
+        ASSERT_OK(ctx, ix_mv_new(ctx, 2, d, 3, rational, p, &s));
+        ASSERT_OK(ctx, ix_pt_srf_bisector(ctx, s, q, NULL, NULL, &b));
+        for (int j = 0; j < 9; j++) {
+            double t[2] = {(j % 3 + 0.5) / 3, (j / 3 + 0.5) / 3}, x[3][3], n[3];
+            double r[3], y[3], lambda, far_off = size + fabs(c0[0]), off = 0;
+
+            local_jet(p, rational, c0, t, x);
+            ix__cross3(x[1], x[2], n);
+            for (int k = 0; k < 3; k++)
+                r[k] = (q[k] - c0[k]) - x[0][k];
+            lambda = ix__dot3(r, r) / (2 * ix__dot3(r, n));
+            ASSERT_OK(ctx, ix_mv_point(ctx, b, t, y));
+            for (int k = 0; k < 3; k++) {
+                double want = x[0][k] + lambda * n[k];
+
+                far_off = fmax(far_off, fabs(want));
+                off = fmax(off, fabs(y[k] - c0[k] - want));
+            }
+            worst = fmax(worst, off / far_off);
+        }
+        if (!(worst <= (rational ? 256 : 64) * 2.3e-16))
+            fail_msg("case %d: off by %g", i, worst);
+        ix_mv_unref(ctx, s);
+        ix_mv_unref(ctx, b);
+    }
+}
+
 static ix_mv *plane(const double *pts)
 {
     ix_dir d[2] = {{IX_BEZIER, 2, 2, false, NULL},
@@ -204,6 +295,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(definition_holds),
+        cmocka_unit_test(far_from_the_point),
         cmocka_unit_test(quadrics),
         cmocka_unit_test(refused),
         cmocka_unit_test(memory_may_fail),
