@@ -59,7 +59,8 @@ typedef struct {
  * In    a, b   in any order, in any position
  *       size   > 0: how far unbounded primitives (from pos, both ways) or the
  *              bisecting cone (from its apex) go
- *       o      IX_FORM_IRIT: skew cylinders of one radius by tangent planes; in
+ *       o      IX_FORM_IRIT: of a plane and a cone both nappes of one side;
+ *              skew cylinders of one radius by tangent planes; in
  *              pairs with a sphere, and cones with one apex,
  *              the offset that IRIT has: that of a sphere inside the other (two
  *              spheres: outside; cones: |a1 - a2|). Else that of the actual

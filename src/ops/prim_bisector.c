@@ -289,45 +289,6 @@ static bool along(const ix_prim *plane, const ix_prim *axis)
     return !(fabs(ix__dot3(plane->dir, axis->dir)) > IX__PARALLEL);
 }
 
-/* One surface on each side of the plane: that side's nappe of the bisector of
- * the axis and the plane moved away from it by the radius. */
-static ix_status plane_cylinder(ix_ctx *ctx, task *k)
-{
-    const ix_prim *plane = k->a.kind == IX_PRIM_PLANE ? &k->a : &k->b;
-    const ix_prim *cyl = k->a.kind == IX_PRIM_PLANE ? &k->b : &k->a;
-    ix_mv *s[2] = {NULL, NULL};
-    ix_status st = IX_OK;
-
-    if (along(plane, cyl))
-        return plane_axis(ctx, k, plane, cyl);
-    for (int i = 0; i < 2 && st == IX_OK; i++) {
-        ix_prim p = *plane;
-        ix_crvs both = {0};
-        task own = *k;
-
-        own.out = &both;
-        ix__axpy3(p.pos, i ? cyl->radius : -cyl->radius, p.dir, p.pos);
-        st = plane_line(ctx, &own, &p, cyl);
-        for (int j = 0; j < both.n; j++) {
-            double uv[2] = {both.t[0] + 0.37, 1.0}, x[3], z;
-
-            if (st == IX_OK)
-                st = ix_mv_point(ctx, both.crv[j], uv, x);
-            (void)off_axis(&p, x, &z);
-            if (st == IX_OK && !s[i] && (i ? z < 0 : z > 0))
-                s[i] = ix_mv_ref(both.crv[j]);
-        }
-        ix_crvs_free(ctx, &both);
-    }
-    if (st == IX_OK && s[0] && s[1])
-        return deliver(ctx, k, 2, s);
-    ix_mv_unref(ctx, s[0]);
-    ix_mv_unref(ctx, s[1]);
-    if (st == IX_OK)
-        st = IX_FAIL(ctx, IX_EUNABLE, "no nappe on one side of the plane");
-    return st;
-}
-
 /* A plane parallel to a ruling of the cone: with m = n + sin(a) e, at a right
  * angle to the axis e and of the length cos(a), the distance of the axis is
  * that of a plane with the normal m. */
@@ -350,10 +311,9 @@ static ix_status plane_ruling(ix_ctx *ctx, task *k, const ix_prim *plane,
 
 /* Plane and cone are moved inwards alike until the apex is in the plane; with
  * the plane as the cone of 90 degrees around its normal, angles add up. */
-static ix_status plane_cone(ix_ctx *ctx, task *k)
+static ix_status plane_cone(ix_ctx *ctx, task *k, const ix_prim *plane,
+                            const ix_prim *cone)
 {
-    const ix_prim *plane = k->a.kind == IX_PRIM_PLANE ? &k->a : &k->b;
-    const ix_prim *cone = k->a.kind == IX_PRIM_PLANE ? &k->b : &k->a;
     double s = sin(IX__RADIANS(cone->degrees)), z, slope, apex[3];
 
     (void)off_axis(plane, cone->pos, &z);
@@ -362,6 +322,90 @@ static ix_status plane_cone(ix_ctx *ctx, task *k)
         return plane_ruling(ctx, k, plane, cone);
     ix__axpy3(cone->pos, -z / slope / s, cone->dir, apex);
     return apex_pair(ctx, k, apex, plane->dir, 90.0 + cone->degrees, cone->dir);
+}
+
+/* Plane and cylinder are moved likewise, until the cylinder is its axis. */
+static ix_status plane_cylinder(ix_ctx *ctx, task *k, const ix_prim *plane,
+                                const ix_prim *cyl)
+{
+    ix_prim p = *plane;
+
+    ix__axpy3(p.pos, -cyl->radius, p.dir, p.pos);
+    return plane_line(ctx, k, &p, cyl);
+}
+
+/* Positive on the outside, or where the normal points. */
+static double signed_distance(const ix_prim *p, const double x[3])
+{
+    double z, rho = off_axis(p, x, &z), a = IX__RADIANS(p->degrees);
+
+    return p->kind == IX_PRIM_PLANE  ? z
+           : p->kind == IX_PRIM_CONE ? rho * cos(a) - z * sin(a)
+                                     : rho - p->radius;
+}
+
+/* Of both nappes in k->out the one on which the signed distances are equal: on
+ * the other one their sum is 0. */
+static ix_status pick_nappe(ix_ctx *ctx, const ix_crvs *s, const ix_prim *a,
+                            const ix_prim *b, ix_mv **out)
+{
+    double best = HUGE_VAL;
+
+    for (int i = 0; i < s->n; i++) {
+        double uv[2] = {s->t[0] + 0.37, 1.0}, x[3], gap;
+
+        if (s->n > 1)
+            IX_TRY(ix_mv_point(ctx, s->crv[i], uv, x));
+        gap = s->n > 1 ? fabs(signed_distance(a, x) - signed_distance(b, x))
+                       : 0.0;
+        if (!(gap < best))
+            continue;
+        best = gap;
+        *out = s->crv[i];
+    }
+    *out = ix_mv_ref(*out);
+    return IX_OK;
+}
+
+/* What is on the side of the plane to which its normal points, and outside of
+ * b, or on the other side and inside. */
+static ix_status one_side(ix_ctx *ctx, const task *k, const ix_prim *plane,
+                          const ix_prim *b, ix_mv **out)
+{
+    ix_crvs both = {0};
+    task own = *k;
+    ix_status st;
+
+    own.out = &both;
+    st = b->kind == IX_PRIM_CYLINDER ? plane_cylinder(ctx, &own, plane, b)
+                                     : plane_cone(ctx, &own, plane, b);
+    if (st == IX_OK)
+        st = pick_nappe(ctx, &both, plane, b, out);
+    ix_crvs_free(ctx, &both);
+    return st;
+}
+
+/* A plane and a cylinder or cone: one surface for each side of the plane.
+ * IRIT's cones have both nappes of one side. */
+static ix_status with_plane(ix_ctx *ctx, task *k)
+{
+    ix_prim plane = k->b;
+    ix_mv *s[2] = {NULL, NULL};
+    ix_status st = IX_OK;
+
+    if (k->a.kind == IX_PRIM_CYLINDER && along(&plane, &k->a))
+        return plane_axis(ctx, k, &plane, &k->a);
+    if (k->a.kind == IX_PRIM_CONE && k->irit)
+        return plane_cone(ctx, k, &plane, &k->a);
+    for (int i = 0; i < 2 && st == IX_OK; i++) {
+        st = one_side(ctx, k, &plane, &k->a, &s[i]);
+        for (int j = 0; j < 3; j++)
+            plane.dir[j] = -plane.dir[j];
+    }
+    if (st == IX_OK)
+        return deliver(ctx, k, 2, s);
+    ix_mv_unref(ctx, s[0]);
+    return st;
 }
 
 static ix_status planes(ix_ctx *ctx, task *k)
@@ -476,8 +520,7 @@ static ix_status reduce(ix_ctx *ctx, task *k)
     if (k->a.kind == IX_PRIM_PLANE)
         return planes(ctx, k);
     if (k->b.kind == IX_PRIM_PLANE)
-        return k->a.kind == IX_PRIM_CYLINDER ? plane_cylinder(ctx, k)
-                                             : plane_cone(ctx, k);
+        return with_plane(ctx, k);
     if (k->a.kind == IX_PRIM_CONE && k->b.kind == IX_PRIM_CONE &&
         ix__prim_touch(ix__dist3(k->a.pos, k->b.pos), k->a.pos, k->b.pos,
                        k->size))

@@ -356,11 +356,54 @@ static void plane_and_ruling(void **state)
         cone.pos[1] = i;
         cone.pos[2] = i % 4; /* 0: the apex in the plane */
         ASSERT_OK(ctx, ix_prim_bisector(ctx, &plane, &cone, 2, NULL, &s));
-        assert_int_equal(s.n, 1);
+        assert_int_equal(s.n, 2);
         assert_int_equal(ix_mv_order(s.crv[0], 0), i % 4 ? 3 : 2);
         assert_true(check_points(&plane, &cone, &s, 1e-9) > 0);
         ix_crvs_free(ctx, &s);
     }
+}
+
+/* Law: of a plane and a cylinder or cone each surface belongs to one side:
+ * where it is outside, the nearest feet have equal distances, on both sides of
+ * the plane. */
+static void both_sides_of_a_plane(void **state)
+{
+    int above = 0, below = 0;
+
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        ix_prim plane = {.kind = IX_PRIM_PLANE, .dir = {0, 0, 1}};
+        ix_prim b = rand_prim(i & 1 ? IX_PRIM_CYLINDER : IX_PRIM_CONE);
+        ix_crvs s;
+
+        ASSERT_OK(ctx, ix_prim_bisector(ctx, &plane, &b, 3, NULL, &s));
+        assert_int_equal(s.n, 2);
+        for (int j = 0; j < 2 * 16; j++) {
+            double dom[2][2], t[2], x[3], d[NDIST], e[3], along;
+            double a = IX__RADIANS(b.degrees), u[3], rho;
+
+            for (int k = 0; k < 2; k++) {
+                ix_mv_domain(s.crv[j / 16], k, dom[k]);
+                t[k] = dom[k][0] + (dom[k][1] - dom[k][0]) *
+                                       ((k ? j % 4 : j / 4 % 4) + 0.6) / 4;
+            }
+            ASSERT_OK(ctx, ix_mv_point(ctx, s.crv[j / 16], t, x));
+            (void)ix__unit3(b.dir, u);
+            ix__sub3(x, b.pos, e);
+            along = ix__dot3(e, u);
+            rho = sqrt(fmax(0, ix__dot3(e, e) - along * along));
+            if (i & 1 ? rho < b.radius : rho * cos(a) < along * sin(a))
+                continue; /* inside */
+            (void)distances(&b, x, d);
+            if (!(fabs(d[0] - fabs(x[2])) <= 1e-9 * (1 + ix__len3(x))))
+                fail_msg("case %d: %g and %g", i, d[0], fabs(x[2]));
+            assert_true((x[2] > 0) == (j / 16 == 0));
+            above += x[2] > 0;
+            below += x[2] < 0;
+        }
+        ix_crvs_free(ctx, &s);
+    }
+    assert_true(above > 300 && below > 300);
 }
 
 static void expect(const ix_prim *a, const ix_prim *b, double size,
@@ -484,9 +527,13 @@ static void memory_may_fail(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_distances),  cmocka_unit_test(irit_offsets),
-        cmocka_unit_test(coaxial),          cmocka_unit_test(special_positions),
-        cmocka_unit_test(plane_and_ruling), cmocka_unit_test(refused),
+        cmocka_unit_test(equal_distances),
+        cmocka_unit_test(irit_offsets),
+        cmocka_unit_test(coaxial),
+        cmocka_unit_test(special_positions),
+        cmocka_unit_test(plane_and_ruling),
+        cmocka_unit_test(both_sides_of_a_plane),
+        cmocka_unit_test(refused),
         cmocka_unit_test(memory_may_fail),
     };
 
