@@ -94,6 +94,20 @@ ix_status ix_offset_trim(ix_ctx *ctx, const ix_mv *crv, const ix_mv *off,
 ix_status ix_srf_offset(ix_ctx *ctx, const ix_mv *srf, double distance,
                         double tol, double *err, ix_mv **out) IX_MUST_CHECK;
 
+/* Where off, an offset of srf, meets itself, as far as its points are not
+ * nearer to srf than amount (0: all of it; best a little below |distance|): the
+ * edges that are left when the inner parts of off are cut away. Curves of order
+ * 2, of the points (euclid) or of both pairs of parameters (u1, v1, u2, v2);
+ * t is their own domain.
+ *
+ * In    tol       as in ix_curves_opts
+ * Out   *complete false: there may be more, see ix_srf_self_meet
+ * Err   as ix_srf_self_meet, ix_srf_nearest
+ * Num   vertices are exact; a curve that amount cuts ends within tol */
+ix_status ix_srf_offset_meet(ix_ctx *ctx, const ix_mv *srf, const ix_mv *off,
+                             double amount, bool euclid, double tol,
+                             bool *complete, ix_crvs *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

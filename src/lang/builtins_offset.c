@@ -297,13 +297,41 @@ static ix_status moffset(ix_call *c)
     return ix__attr_set_real(c->ctx, &c->result->attrs, "Error", err);
 }
 
+/* params: amount, validate, euclid, and numbers that are not needed. */
+static ix_status surface_toffset(ix_call *c, int n, const double *v)
+{
+    const ix_mv *s = ix__arg_mv(c, 0), *off = ix__arg_mv(c, 1);
+    bool complete, validate = n > 1 && fabs(v[1]) >= 1e-5;
+    ix_crvs p;
+
+    if (n < 3)
+        return IX_ARG_FAIL(c, 2,
+                           "%d parameters; list(amount, validate, euclid, "
+                           "subdiv, numer, numerImp) is wanted",
+                           n);
+    IX_TRY(ix_srf_offset_meet(c->ctx, s, off, validate ? v[0] : 0,
+                              fabs(v[2]) >= 1e-5, ix__contour_tolerance(c),
+                              &complete, &p));
+    if (!complete)
+        ix__remark(c->in, "the offset meets itself in more than was found, or "
+                          "nearly");
+    return ix__ret_crvs(c, &p);
+}
+
 static ix_status toffset(ix_call *c)
 {
     double *v;
     ix_crvs p;
     int n;
 
+    if (c->argv[0]->type != c->argv[1]->type)
+        return IX_ARG_FAIL(c, 1, "%s; the offset of a %s is wanted",
+                           ix__obj_type_name(c->argv[1]->type),
+                           c->argv[0]->type == IX_OBJ_CURVE ? "curve"
+                                                            : "surface");
     IX_TRY(ix__arg_nums(c, 2, &n, &v));
+    if (c->argv[0]->type == IX_OBJ_SURFACE)
+        return surface_toffset(c, n, v);
     if (n < 3)
         return IX_ARG_FAIL(c, 2,
                            "%d parameters; list(method, tolerance, trimming "
@@ -373,12 +401,20 @@ const ix_builtin ix__builtins_offset[] = {
      "distances "
      "are from d to d + the attribute Error.",
      C "o = moffset(c, 0.2, 10);", moffset, 0, 20},
-    {"TOFFSET", "c:curve off:curve params:list -> list",
+    {"TOFFSET", "c:curve|surface off:curve|surface params:list -> list",
      "The pieces of an offset curve off of c, cut at its self-intersections, "
      "that are nowhere nearer to c than the third of params = list(method, "
      "tolerance, trimming distance, numeric tolerance), best a little below "
-     "the offset distance; the others are not needed.",
-     C "l = toffset(c, offset(c, -0.5, 0.001, off), list(1, 20, 0.49, 1e-3));",
+     "the offset distance; the others are not needed. Of a surface: curves of "
+     "order 2 in which the offset meets itself, params = list(amount, "
+     "validate, euclid, subdiv, numer, numerImp): with validate on, as far as "
+     "they are not nearer to c than amount, which makes them the edges of the "
+     "trimmed offset; with euclid on in space, else as (u1, v1, u2, v2).",
+     C "l = toffset(c, offset(c, -0.5, 0.001, off), list(1, 20, 0.49, 1e-3)); "
+       "s = ruledsrf(cregion(pcircle(vector(0,0,0), 1), 0, 2), "
+       "cregion(pcircle(vector(0,0,1), 1), 0, 2)); "
+       "e = toffset(s, offset(s, 0.2, 0.01, off), list(0.19, on, on, 0.1, "
+       "1e-6, 0));",
      toffset, 0, 20},
     {"ILOFFSET", "c:curve off:curve -> list",
      "Where an offset curve runs backwards against c (the distance exceeds the "
