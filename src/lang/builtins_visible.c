@@ -5,12 +5,15 @@
 #include <string.h>
 
 #include "geom/angle.h"
+#include "geom/hull3.h"
 #include "geom/matrix.h"
+#include "geom/vec3.h"
 #include "iritx/visible.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
 #include "lang/interp.h"
 #include "lang/poly_rows.h"
+#include "mv/tessellate.h"
 
 static ix_status cvisible(ix_call *c)
 {
@@ -100,9 +103,89 @@ static ix_status poly_hull(ix_call *c)
     return st;
 }
 
+/* n triangles of points, or one polygon of them, as an object. */
+static ix_status ret_corners(ix_call *c, const double (*p)[3], int npolys,
+                             int corners, const int *at)
+{
+    ix_poly *res = ix__poly_new(c->ctx, npolys);
+    ix_status st = res ? IX_OK : IX_ENOMEM;
+    double(*v)[3];
+
+    if (res) {
+        v = ix__scratch(c->ctx, (size_t)corners, sizeof *v);
+        st = v ? IX_OK : IX_ENOMEM;
+    }
+    for (int i = 0; st == IX_OK && i < npolys; i++) {
+        for (int k = 0; k < corners; k++)
+            memcpy(v[k], p[at[i * corners + k]], sizeof *v);
+        st = ix__polygon_fill(c->ctx, &res->poly[i], IX_POLYGON, corners,
+                              (const double(*)[3])v);
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_poly(c->ctx, res));
+    if (res)
+        ix__poly_unref(c->ctx, res);
+    return st;
+}
+
+/* Points of a plane with the unit normal n: one polygon around that normal. */
+static ix_status flat_hull(ix_call *c, int n, const double (*p)[3],
+                           const double normal[3])
+{
+    double(*flat)[3], (*out)[3], e[2][3];
+    int *at;
+
+    ix__perp3(normal, e[0]);
+    ix__cross3(normal, e[0], e[1]);
+    IX_SCRATCH(c->ctx, flat, n);
+    IX_SCRATCH(c->ctx, out, 2 * n + 2);
+    IX_SCRATCH(c->ctx, at, 2 * n + 2);
+    for (int i = 0; i < n; i++) {
+        flat[i][0] = ix__dot3(p[i], e[0]);
+        flat[i][1] = ix__dot3(p[i], e[1]);
+        flat[i][2] = i; /* which it is */
+    }
+    n = hull_points(n, flat, out);
+    for (int i = 0; i < n; i++)
+        at[i] = (int)out[i][2];
+    return ret_corners(c, p, 1, n, at);
+}
+
+/* Triangles around points of the surface that leave it out by size / 4 f^2 at
+ * most: chords of 1 / f of the size on a circle of that diameter. */
+static ix_status surface_hull(ix_call *c, const ix_mv *s)
+{
+    double f = ix__arg_num(c, 1), normal[3];
+    double lo[IX_MAX_COORDS] = {0}, hi[IX_MAX_COORDS] = {0};
+    double(*xyz)[3];
+    int nf, (*face)[3];
+    const double(*p)[3];
+    ix_status st;
+    ix__mesh m;
+
+    if (!(f >= 1))
+        return IX_ARG_FAIL(c, 1,
+                           "a fineness of %g; the number of chords across a "
+                           "surface is 1 or more",
+                           f);
+    IX_TRY(ix_mv_bbox(c->ctx, s, lo, hi));
+    IX_TRY(ix__mesh_of_srf(c->ctx, s, ix__dist3(lo, hi) / (4 * f * f), &m));
+    xyz = (double(*)[3])(void *)m.xyz;
+    p = (const double(*)[3])xyz;
+    st = ix__hull3(c->ctx, (int)m.nverts, p, &nf, &face, normal);
+    if (st == IX_OK)
+        st = nf ? ret_corners(c, p, nf, 3, (const int *)face)
+                : flat_hull(c, (int)m.nverts, p, normal);
+    ix__mesh_free(c->ctx, &m);
+    return st;
+}
+
 static ix_status cnvxhull(ix_call *c)
 {
     ix_mv *m;
+
+    if (c->argv[0]->type == IX_OBJ_SURFACE)
+        return surface_hull(c, ix__arg_mv(c, 0));
 
     if (c->argv[0]->type == IX_OBJ_POLY)
         return poly_hull(c);
@@ -247,11 +330,14 @@ const ix_builtin ix__builtins_visible[] = {
      "adds the trivial pairs t = r with so many samples.",
      "l = canglemap(circle(vector(0, 0, 0), 1), 20, 60, false);", canglemap, 0,
      9},
-    {"CNVXHULL", "x:curve|poly fineness:num -> curve|poly",
+    {"CNVXHULL", "x:curve|surface|poly fineness:num -> curve|poly",
      "The convex hull in the XY plane, counter-clockwise: of a closed curve "
      "one B-spline of arcs of it and straight bridges, of all vertices of "
-     "polygons one polygon. fineness is not needed.",
-     LOOP "h = cnvxhull(c, 10);", cnvxhull, 0, 10},
+     "polygons one polygon. Of a surface its hull in space, as triangles "
+     "between points of it (of a flat one, one polygon) that leave out 1 / (4 "
+     "fineness^2) of its size at most.",
+     LOOP "h = cnvxhull(c, 10); b = cnvxhull(spheresrf(1), 10);", cnvxhull, 0,
+     10},
     {"CIRCPOLY", "normal:pv center:pv r:num -> poly",
      "A regular polygon of RESOLUTION vertices on a circle, "
      "counter-clockwise around normal.",
