@@ -215,6 +215,20 @@ ix_status ix_srf_revolve(ix_ctx *ctx, const ix_mv *crv, ix_turn turn,
 ix_status ix_tv_revolve(ix_ctx *ctx, const ix_mv *srf, ix_turn turn,
                         ix_mv **out) IX_MUST_CHECK;
 
+/* Any part of a turn about any axis. */
+typedef struct {
+    ix_turn turn;
+    double a0, a1;            /* degrees, exchanged if a0 > a1; 360 apart or
+                                 more: the full turn */
+    double point[3], axis[3]; /* a point of the axis, its direction */
+} ix_revolution;
+/* As ix_tv_revolve, the rotation by a1 - a0 beginning at a0. w runs over
+ * [0, t(a1 - a0)], t the parameter of that angle on the circle of the turn.
+ * Err   IX_EARG as ix_tv_revolve, a0 = a1, the axis is zero, not finite */
+ix_status ix_tv_revolve_about(ix_ctx *ctx, const ix_mv *srf,
+                              const ix_revolution *r,
+                              ix_mv **out) IX_MUST_CHECK;
+
 /* The part between the angles a0 and a1 in degrees (exchanged if a0 > a1): u
  * runs over [0, t(a1 - a0)] where t is the parameter of that angle on the
  * rational circle. 360 degrees or more give the full turn.
@@ -465,6 +479,13 @@ ix_status ix_similar(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, double eps,
  * Err   IX_EARG order < 1 or > IX_MAX_ORDER; IX_EDOMAIN the sum is not 1 */
 ix_status ix_tri_eval(ix_ctx *ctx, int order, int naxes, const double *pts,
                       const double uvw[3], double *out) IX_MUST_CHECK;
+/* Control points double[naxes][order] of the curve on which parameter dir is t,
+ * s in [0, 1]: (t, (1-t)(1-s), (1-t)s) for dir 0, ((1-t)(1-s), t, (1-t)s) for
+ * 1,
+ * ((1-t)(1-s), (1-t)s, t) for 2: a Bezier curve of the same order.
+ * Err   IX_EARG order, dir; IX_EDOMAIN t outside [0, 1] */
+ix_status ix_tri_iso(ix_ctx *ctx, int order, int naxes, int dir, double t,
+                     const double *pts, double *out) IX_MUST_CHECK;
 /* Control points of the derivative (order - 1; an order of 1 gives one zero),
  * every axis by itself: dir 0 with respect to u and 1 to v, both with
  * w = 1 - u - v; dir 2 with respect to w with u = 1 - v - w. */

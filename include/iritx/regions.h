@@ -38,6 +38,17 @@ void ix_regions_free(ix_ctx *ctx, ix_regions *r);
 ix_status ix_divide_box(ix_ctx *ctx, const double box[2][2], int n,
                         const ix_mv *const *crv, ix_regions *out) IX_MUST_CHECK;
 
+/* What of the inside of closed loops lies in a rectangle: as above, of the
+ * regions those that are inside an odd number of loops.
+ *
+ * In    first  loop k has the curves first[k] .. first[k + 1] - 1 of crv, end
+ * to end; gaps between them, and at the end, are bridged by straight lines Err
+ * also IX_EUNABLE loops run along each other so that inside and outside cannot
+ * be told */
+ix_status ix_trim_box(ix_ctx *ctx, const double box[2][2], int nloops,
+                      const int *first, const ix_mv *const *crv,
+                      ix_regions *out) IX_MUST_CHECK;
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/arrange_edges.h"
 #include "geom/parts.h"
-#include "iritx/arrange.h"
 #include "iritx/regions.h"
 
 /* Points of the unit square nearer than this are one. */
@@ -186,7 +186,8 @@ static ix_status add_faces(ix_ctx *ctx, const ix_arrangement *a,
     return IX_OK;
 }
 
-static ix_status take_faces(ix_ctx *ctx, const ix_arrangement *a,
+/* odd: only faces that an odd number of closed curves encloses. */
+static ix_status take_faces(ix_ctx *ctx, const ix_arrangement *a, bool odd,
                             const double back[16], ix_regions *out)
 {
     int n = 0, nloops = 0, ncrvs = 0;
@@ -196,6 +197,8 @@ static ix_status take_faces(ix_ctx *ctx, const ix_arrangement *a,
     IX_SCRATCH(ctx, inside, a->nfaces);
     for (int f = 0; f < a->nfaces; f++) {
         IX_TRY(is_inside(ctx, a, f, &inside[f]));
+        if (odd && a->face[f].winding % 2 == 0)
+            inside[f] = false;
         n += inside[f];
     }
     for (int l = 0; l < a->nloops; l++)
@@ -210,60 +213,153 @@ static ix_status take_faces(ix_ctx *ctx, const ix_arrangement *a,
     return st;
 }
 
-/* --- the whole
- * ---------------------------------------------------------------------- */
+/* --- the whole ---------------------------------------------------------- */
 
-static ix_status arrange(ix_ctx *ctx, ix_arrangement *a)
+static ix_status arrange(ix_ctx *ctx, ix_arrangement *a, bool odd)
 {
     IX_TRY(ix_arrangement_split_meetings(ctx, a, SAME));
     /* what ran together is cut where that begins and ends: copies by now */
     IX_TRY(ix_arrangement_drop_copies(ctx, a, SAME));
-    return ix_arrangement_evaluate(ctx, a, true);
+    IX_TRY(ix_arrangement_evaluate(ctx, a, true));
+    return odd ? ix_arrangement_classify(ctx, a) : tell_hanging(ctx, a);
 }
 
-static ix_status divide(ix_ctx *ctx, const double box[2][2], int n,
-                        const ix_mv *const *crv, ix_mv **in, ix_regions *out)
+/* in[n + 4]: places for the sides of the unit square, n curves in it. */
+static ix_status divide(ix_ctx *ctx, int n, ix_mv **in, bool odd,
+                        const double back[16], ix_regions *out)
 {
-    double to[16], back[16];
     ix_arrangement *a;
     ix_status st;
 
-    frame(box, to, back);
     for (int k = 0; k < 4; k++)
         IX_TRY(side(ctx, k, &in[k]));
-    for (int k = 0; k < n; k++)
-        IX_TRY(move(ctx, crv[k], to, &in[4 + k]));
     IX_TRY(ix_arrangement_new(ctx, 4 + n, (const ix_mv *const *)in, SAME, &a));
-    st = arrange(ctx, a);
+    st = arrange(ctx, a, odd);
     if (st == IX_OK)
-        st = tell_hanging(ctx, a);
-    if (st == IX_OK)
-        st = take_faces(ctx, a, back, out);
+        st = take_faces(ctx, a, odd, back, out);
     ix_arrangement_free(ctx, a);
     return st;
+}
+
+/* n + 4 places for curves. */
+static ix_status new_curves(ix_ctx *ctx, int n, ix_mv ***in)
+{
+    IX_SCRATCH(ctx, *in, n + 4);
+    for (int k = 0; k < n + 4; k++)
+        (*in)[k] = NULL;
+    return IX_OK;
 }
 
 static ix_status divide_box(ix_ctx *ctx, const double box[2][2], int n,
                             const ix_mv *const *crv, ix_regions *out)
 {
-    ix_status st;
+    double to[16], back[16];
+    ix_status st = IX_OK;
     ix_mv **in;
 
-    IX_SCRATCH(ctx, in, n + 4);
-    for (int k = 0; k < n + 4; k++)
-        in[k] = NULL;
-    st = divide(ctx, box, n, crv, in, out);
+    frame(box, to, back);
+    IX_TRY(new_curves(ctx, n, &in));
+    for (int k = 0; st == IX_OK && k < n; k++)
+        st = move(ctx, crv[k], to, &in[4 + k]);
+    if (st == IX_OK)
+        st = divide(ctx, n, in, false, back, out);
     ix__mv_unref_all(ctx, in, n + 4);
     return st;
+}
+
+static ix_status check_box(ix_ctx *ctx, const double box[2][2])
+{
+    for (int k = 0; k < 2; k++)
+        if (!(box[k][0] < box[k][1]))
+            return IX_FAIL(ctx, IX_EARG, "an empty interval [%g, %g]",
+                           box[k][0], box[k][1]);
+    return IX_OK;
 }
 
 ix_status ix_divide_box(ix_ctx *ctx, const double box[2][2], int n,
                         const ix_mv *const *crv, ix_regions *out)
 {
     *out = (ix_regions){.n = 0};
-    for (int k = 0; k < 2; k++)
-        if (!(box[k][0] < box[k][1]))
-            return IX_FAIL(ctx, IX_EARG, "an empty interval [%g, %g]",
-                           box[k][0], box[k][1]);
+    IX_TRY(check_box(ctx, box));
     IX_RETURN_SCOPED(ctx, divide_box(ctx, box, n, crv, out));
+}
+
+/* --- loops ---------------------------------------------------------------- */
+
+/* *loop, a reference, is continued by next. */
+static ix_status append(ix_ctx *ctx, ix_mv **loop, const ix_mv *next)
+{
+    ix_mv *longer = NULL;
+
+    if (!*loop) {
+        *loop = ix_mv_ref(next);
+        return IX_OK;
+    }
+    return ix__mv_step(ctx, loop, &longer,
+                       ix__crv_chain(ctx, *loop, next, &longer));
+}
+
+/* A straight line from the end to the start, if they are apart. */
+static ix_status close_loop(ix_ctx *ctx, ix_mv **loop)
+{
+    const ix_dir dir = {.basis = IX_BEZIER, .order = 2, .length = 2};
+    double dom[2], p[2], q[2];
+    ix_mv *line;
+    ix_status st;
+
+    ix_mv_domain(*loop, 0, dom);
+    IX_TRY(ix_mv_point(ctx, *loop, &dom[0], p));
+    IX_TRY(ix_mv_point(ctx, *loop, &dom[1], q));
+    if (hypot(p[0] - q[0], p[1] - q[1]) <= SAME / 2)
+        return IX_OK;
+    IX_TRY(ix_mv_new(ctx, 1, &dir, 2, false,
+                     (const double[4]){q[0], p[0], q[1], p[1]}, &line));
+    st = append(ctx, loop, line);
+    ix_mv_unref(ctx, line);
+    return st;
+}
+
+static ix_status make_loop(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                           const double to[16], ix_mv **out)
+{
+    for (int k = 0; k < n; k++) {
+        ix_mv *moved;
+        ix_status st;
+
+        IX_TRY(move(ctx, crv[k], to, &moved));
+        st = append(ctx, out, moved);
+        ix_mv_unref(ctx, moved);
+        IX_TRY(st);
+    }
+    return close_loop(ctx, out);
+}
+
+static ix_status trim_box(ix_ctx *ctx, const double box[2][2], int nloops,
+                          const int *first, const ix_mv *const *crv,
+                          ix_regions *out)
+{
+    double to[16], back[16];
+    ix_status st = IX_OK;
+    ix_mv **in;
+    int n = 0;
+
+    frame(box, to, back);
+    IX_TRY(new_curves(ctx, nloops, &in));
+    for (int k = 0; st == IX_OK && k < nloops; k++)
+        if (first[k + 1] > first[k])
+            st = make_loop(ctx, first[k + 1] - first[k], crv + first[k], to,
+                           &in[4 + n++]);
+    if (st == IX_OK)
+        st = divide(ctx, n, in, true, back, out);
+    ix__mv_unref_all(ctx, in, nloops + 4);
+    return st;
+}
+
+ix_status ix_trim_box(ix_ctx *ctx, const double box[2][2], int nloops,
+                      const int *first, const ix_mv *const *crv,
+                      ix_regions *out)
+{
+    *out = (ix_regions){.n = 0};
+    IX_TRY(check_box(ctx, box));
+    IX_RETURN_SCOPED(ctx, trim_box(ctx, box, nloops, first, crv, out));
 }

@@ -183,3 +183,72 @@ ix_status ix_srf_revolve_axis(ix_ctx *ctx, const ix_mv *crv, double a0,
     ix__mv_unref_all(ctx, t, 3);
     return st;
 }
+
+/* --- trivariates, any axis ---------------------------------------------- */
+
+/* The parameter of an angle of 0 .. 360 degrees on the circle of cubics: within
+ * a quarter the angle grows with it. */
+static double cubic_param(double degrees)
+{
+    double quarter = fmin(fmax(floor(degrees / 90), 0), 4);
+    double angle = (degrees - 90 * quarter) / 180 * 3.14159265358979323846;
+    double lo = 0, hi = 1;
+
+    for (int i = 0; i < 54; i++) {
+        double t = (lo + hi) / 2, s = 1 - t;
+        double x = s * s * s + 3 * s * s * t + 3 * s * t * t * K;
+        double y = 3 * s * s * t * K + 3 * s * t * t + t * t * t;
+
+        if (atan2(y, x) <= angle)
+            lo = t;
+        else
+            hi = t;
+    }
+    return fmin(quarter + lo, 4);
+}
+
+/* turn takes +Z to the axis. */
+static ix_status turn_about(ix_ctx *ctx, const ix_mv *srf,
+                            const ix_revolution *r, const double turn[16],
+                            ix_mv *t[4], ix_mv **out)
+{
+    double first[16], last[16], lo = fmin(r->a0, r->a1), rot[16];
+    double angle = fmax(r->a0, r->a1) - lo;
+
+    for (int i = 0; i < 16; i++)
+        first[i] = turn[4 * (i % 4) + i / 4];
+    for (int k = 0; k < 3; k++) /* the point of the axis to the origin */
+        for (int i = 0; i < 3; i++)
+            first[12 + k] -= r->point[i] * first[4 * i + k];
+    ix__mat_rotate(2, lo, rot);
+    ix__mat_mul(rot, turn, last);
+    for (int k = 0; k < 3; k++)
+        last[12 + k] += r->point[k];
+    IX_TRY(ix_mv_coerce(ctx, srf, 3, srf->rational, &t[0]));
+    IX_TRY(ix_mv_transform(ctx, t[0], first, &t[1]));
+    IX_TRY(ix_tv_revolve(ctx, t[1], r->turn, &t[2]));
+    if (angle >= 360)
+        return ix_mv_transform(ctx, t[2], last, out);
+    IX_TRY(ix_mv_region(ctx, t[2], 2, 0,
+                        r->turn == IX_TURN_RATIONAL ? ix_circle_param(angle)
+                                                    : cubic_param(angle),
+                        &t[3]));
+    return ix_mv_transform(ctx, t[3], last, out);
+}
+
+ix_status ix_tv_revolve_about(ix_ctx *ctx, const ix_mv *srf,
+                              const ix_revolution *r, ix_mv **out)
+{
+    ix_mv *t[4] = {NULL};
+    double turn[16];
+    ix_status st;
+
+    *out = NULL;
+    if (!(fabs(r->a1 - r->a0) > 0 && isfinite(r->a0) && isfinite(r->a1)))
+        return IX_FAIL(ctx, IX_EARG, "no turn from %g to %g degrees", r->a0,
+                       r->a1);
+    IX_TRY(ix__mat_turn(ctx, (const double[3]){0, 0, 1}, r->axis, turn));
+    st = turn_about(ctx, srf, r, turn, t, out);
+    ix__mv_unref_all(ctx, t, 4);
+    return st;
+}

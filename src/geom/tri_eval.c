@@ -55,6 +55,41 @@ ix_status ix_tri_eval(ix_ctx *ctx, int order, int naxes, const double *pts,
     return IX_OK;
 }
 
+/* Control point i of the curve is the blossom of n - 1 - i times one end of it
+ * and i times the other. */
+static ix_status iso(ix_ctx *ctx, int order, int naxes, int dir, double t,
+                     const double *pts, double *out)
+{
+    double end[2][3], *p;
+
+    for (int e = 0; e < 2; e++) {
+        end[e][dir] = t;
+        end[e][dir == 0 ? 1 : 0] = e ? 0 : 1 - t;
+        end[e][dir == 2 ? 1 : 2] = e ? 1 - t : 0;
+    }
+    IX_SCRATCH(ctx, p, count(order));
+    for (int k = 0; k < naxes; k++)
+        for (int i = 0; i < order; i++) {
+            memcpy(p, pts + (size_t)k * count(order), count(order) * sizeof *p);
+            for (int o = order; o > 1; o--)
+                casteljau_step(o, end[order - o < i], p);
+            out[k * order + i] = p[0];
+        }
+    return IX_OK;
+}
+
+ix_status ix_tri_iso(ix_ctx *ctx, int order, int naxes, int dir, double t,
+                     const double *pts, double *out)
+{
+    if (order < 1 || order > IX_MAX_ORDER || dir < 0 || dir > 2)
+        return IX_FAIL(ctx, IX_EARG,
+                       "order %d, direction %d of a triangular patch", order,
+                       dir);
+    if (!(t >= 0 && t <= 1))
+        return IX_FAIL(ctx, IX_EDOMAIN, "parameter %g is outside [0, 1]", t);
+    IX_RETURN_SCOPED(ctx, iso(ctx, order, naxes, dir, t, pts, out));
+}
+
 /* Differences of two of the three corners of every small triangle. */
 void ix_tri_derive(int order, int naxes, int dir, const double *pts,
                    double *out)

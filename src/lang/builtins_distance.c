@@ -9,7 +9,9 @@
 #include "iritx/geom_srf.h"
 #include "iritx/sym.h"
 #include "lang/args_freeform.h"
+#include "lang/contour_cone.h"
 #include "lang/interp.h"
+#include "lang/poly_lines.h"
 #include "mv/mv.h"
 
 /* --- points on curves
@@ -285,13 +287,24 @@ static ix_status curve_contour(ix_call *c, const ix_mv *m, const double *plane)
     return ix__ret_list(c, list, st);
 }
 
+/* Polygons and polylines: only by the plane. */
+static ix_status poly_contour(ix_call *c, const double *plane)
+{
+    if (c->argc > 2)
+        return IX_ARG_FAIL(c, 2, "polygons are not mapped to a surface");
+    return ix__ret_poly_contour(c, c->argv[0]->u.poly, plane);
+}
+
 static ix_status contour(ix_call *c)
 {
     const ix_mv *m = ix__arg_mv(c, 0), *on;
     const double *plane = c->argv[1]->u.plane;
     ix_solution_curves s;
+    ix__cone k = {.on = NULL};
     ix_status st;
 
+    if (c->argv[0]->type == IX_OBJ_POLY)
+        return poly_contour(c, plane);
     if (m->ndirs == 1)
         return curve_contour(c, m, plane);
     /* a scalar surface answers in its parameters, another on itself */
@@ -301,8 +314,10 @@ static ix_status contour(ix_call *c)
                            "a freeform of %d directions; a surface is "
                            "wanted",
                            on->ndirs);
+    if (c->argc > 3)
+        IX_TRY(ix__arg_cone(c, 3, on, &k));
     IX_TRY(ix_contour_on(c->ctx, m, plane, on, ix__contour_tolerance(c), &s));
-    st = ix__ret_contours(c, &s, on);
+    st = k.on ? ix__ret_in_cone(c, &s, &k) : ix__ret_contours(c, &s, on);
     ix_solution_curves_free(c->ctx, &s);
     return st;
 }
@@ -334,6 +349,16 @@ static ix_status along_vector(ix_call *c, silhouette_fn fn)
 
 static ix_status silhouette(ix_call *c)
 {
+    double v[3];
+
+    if (c->argv[0]->type == IX_OBJ_POLY) {
+        IX_TRY(ix__arg_vec3(c, 1, v));
+        if (!ix__arg_bool(c, 2))
+            return IX_ARG_FAIL(c, 2,
+                               "polygons have no parameters; true is "
+                               "wanted");
+        return ix__ret_poly_silhouette(c, c->argv[0]->u.poly, v);
+    }
     return along_vector(c, ix_silhouette);
 }
 
@@ -477,15 +502,17 @@ const ix_builtin ix__builtins_distance[] = {
      S "q = srflndst(s, point(1, 1, 5), vector(1, 0, 0), true, 0.1, 1e-6);",
      srflndst, 0, 13},
     {"CONTOUR",
-     "x:curve|surface pl:plane [mapped:surface] [cone:list] -> poly|list",
+     "x:poly|curve|surface pl:plane [mapped:surface] [cone:list] -> poly|list",
      "Where the plane cuts x, as polylines: (u, v, 0) of a scalar surface "
      "(its value is x: use plane(1, 0, 0, -level)), else points of x, or of "
-     "mapped. No value if there is no such curve. Time is that of the points "
-     "on the curves and, far less, of the patches.",
+     "mapped, and with cone = list(direction, degrees) only those where its "
+     "normal is that near to the direction. Of a curve the parameters, as "
+     "points; polygons are cut as such. No value if there is no such curve.",
      S "o = contour(s, plane(0, 0, 1, -0.5));", contour, 0, 13},
-    {"SILHOUETTE", "s:surface view:pv euclid:bool -> poly",
+    {"SILHOUETTE", "s:poly|surface view:pv euclid:bool -> poly",
      "Where the normal of a surface is perpendicular to view, as polylines on "
-     "the surface or, with euclid off, in its parameters.",
+     "the surface or, with euclid off, in its parameters; of polygons the "
+     "edges between those that face the view and those that do not.",
      S "o = silhouette(s, vector(1, 1, 0), true);", silhouette, 0, 13},
     {"ISOCLINE",
      "s:surface dir:pv theta:num euclid:bool mode:num -> poly|trimsrf|list",

@@ -482,6 +482,35 @@ static ix_status swpsclsrf(ix_call *c)
     return sweep(c, &s, 3);
 }
 
+/* --- curves ------------------------------------------------------------- */
+
+static ix_status triangle_curve(ix_call *c)
+{
+    const ix_trisrf *t = c->argv[0]->u.tri.item[0];
+    ix_dir dir = {.basis = IX_BEZIER, .order = t->order, .length = t->order};
+    int naxes = t->ncoords + t->rational, d;
+    double *pts;
+    ix_mv *out;
+
+    if (t->kind != IX_TRI_BEZIER)
+        return IX_ARG_FAIL(c, 0,
+                           "only triangular Bezier patches can be evaluated");
+    IX_TRY(ix__arg_dir(c, 1, 3, &d));
+    IX_SCRATCH(c->ctx, pts, naxes * t->order);
+    c->bad_arg = 3;
+    IX_TRY(
+        ix_tri_iso(c->ctx, t->order, naxes, d, ix__arg_num(c, 2), t->pts, pts));
+    c->bad_arg = 0;
+    IX_TRY(ix_mv_new(c->ctx, 1, &dir, t->ncoords, t->rational, pts, &out));
+    return ix__ret_mv(c, -1, out);
+}
+
+static ix_status csurface(ix_call *c)
+{
+    return c->argv[0]->type == IX_OBJ_TRISRF ? triangle_curve(c)
+                                             : ix__prim_fix(c);
+}
+
 /* --- table ------------------------------------------------------------- */
 
 #define C \
@@ -592,8 +621,9 @@ const ix_builtin ix__builtins_surface[] = {
      "A x^2 + B xy + C y^2 + D x + E y + F = 0.",
      "s = quadric(list(1, 1, 4, 0, 0, 0, 0, 0, 0, -1));", quadric, 0, 11},
 
-    {"SREGION", "s:trimsrf|surface dir:num t0:num t1:num -> surface",
-     "The part between two parameters; COL is u, ROW is v.",
+    {"SREGION", "s:trimsrf|surface dir:num t0:num t1:num -> any",
+     "The part between two parameters; COL is u, ROW is v. A trimmed surface "
+     "stays trimmed.",
      S "r = sregion(s, ROW, 0.2, 0.6);", ix__prim_region, 0, 12},
     {"SREPARAM", "s:trimsrf|surface dir:num t0:num t1:num -> any",
      "The same shape with the domain of one direction moved to [t0, t1].",
@@ -608,7 +638,8 @@ const ix_builtin ix__builtins_surface[] = {
      "The same shape with a higher order in one direction.",
      S "r = sraise(s, COL, 5);", ix__prim_raise, IX_B_SOFT, 12},
     {"SDIVIDE", "s:trimsrf|surface dir:num t:num -> list",
-     "The two parts below and above a parameter.",
+     "The two parts below and above a parameter; of a trimmed surface those "
+     "of which something is left.",
      S "l = sdivide(s, COL, 0.5);", ix__prim_divide, 0, 12},
     {"SMORPH", "s1:surface s2:surface blend:num -> surface",
      "(1 - blend) s1 + blend s2, which must be compatible (FFCOMPAT).",
@@ -628,9 +659,11 @@ const ix_builtin ix__builtins_surface[] = {
     {"SEVAL", "s:trimsrf|surface u:num v:num -> ctlpt",
      "The point at (u, v), not projected.", S "q = seval(s, 0.5, 0.5);",
      ix__prim_eval, 0, 13},
-    {"CSURFACE", "s:surface dir:num t:num -> curve",
-     "Curve of constant u (COL) or constant v (ROW).",
-     S "c = csurface(s, COL, 0.25);", ix__prim_fix, 0, 13},
+    {"CSURFACE", "s:surface|trisrf dir:num t:num -> curve",
+     "Curve of constant u (COL) or constant v (ROW), of a triangular Bezier "
+     "patch also w (DEPTH): there the first of the two other parameters falls "
+     "while the second grows.",
+     S "c = csurface(s, COL, 0.25);", csurface, 0, 13},
     {"CMESH", "s:surface dir:num i:num -> curve",
      "Curve of the control points with constant first (COL) or second (ROW) "
      "index, counted from 0.",

@@ -1,5 +1,7 @@
 /* builtins_volume.c - trivariates of revolution and from faces (chapter 15),
  * Hermite surfaces along a section (chapter 11 of spec/functions). */
+#include <string.h>
+
 #include "geom/section_hermite.h"
 #include "geom/tv_boolsum.h"
 #include "iritx/geom_srf.h"
@@ -7,11 +9,51 @@
 #include "lang/codes.h"
 #include "mv/mv.h"
 
+/* list(surface, from and to degrees, a point of the axis, its direction): all
+ * but the surface may be missing. */
+static ix_status fetch_revolution(ix_call *c, const ix_mv **srf,
+                                  ix_revolution *r)
+{
+    const ix_list *l = &c->argv[0]->u.list;
+    int angles = 0;
+
+    *srf = l->n > 0 && l->item[0]->type == IX_OBJ_SURFACE
+               ? ix__obj_first_mv(l->item[0])
+               : NULL;
+    if (!*srf)
+        return IX_ARG_FAIL(c, 0, "a list has the surface as its first element");
+    for (int i = 1; i < l->n; i++) {
+        const ix_obj *o = l->item[i];
+
+        if (o->type == IX_OBJ_NUMBER && angles < 2)
+            *(angles++ ? &r->a1 : &r->a0) = o->u.num;
+        else if (o->type == IX_OBJ_POINT)
+            memcpy(r->point, o->u.pt, sizeof r->point);
+        else if (o->type == IX_OBJ_VECTOR)
+            memcpy(r->axis, o->u.pt, sizeof r->axis);
+        else
+            return IX_ARG_FAIL(c, 0,
+                               "element %d is a %s; two angles, a point and a "
+                               "vector may follow the surface",
+                               i + 1, ix__obj_type_name(o->type));
+    }
+    if (angles == 1)
+        return IX_ARG_FAIL(c, 0, "one angle; from and to are wanted");
+    return IX_OK;
+}
+
 static ix_status revolved(ix_call *c, ix_turn turn)
 {
+    ix_revolution r = {.turn = turn, .a1 = 360, .axis = {0, 0, 1}};
+    const ix_mv *srf;
     ix_mv *out;
 
-    IX_TRY(ix_tv_revolve(c->ctx, ix__arg_mv(c, 0), turn, &out));
+    if (c->argv[0]->type == IX_OBJ_LIST) {
+        IX_TRY(fetch_revolution(c, &srf, &r));
+        IX_TRY(ix_tv_revolve_about(c->ctx, srf, &r, &out));
+    } else {
+        IX_TRY(ix_tv_revolve(c->ctx, ix__arg_mv(c, 0), turn, &out));
+    }
     return ix__ret_mv(c, -1, out);
 }
 
@@ -98,11 +140,14 @@ static ix_status blshermite(ix_call *c)
     "ctlpt(E3,2,0,1)); "
 
 const ix_builtin ix__builtins_volume[] = {
-    {"TVREV", "s:surface -> trivar",
+    {"TVREV", "s:surface|list -> trivar",
      "A surface turned about Z: (u, v) its parameters, w the rotation over "
-     "[0, 4].",
+     "[0, 4], a quarter a unit. A list holds the surface and, as far as "
+     "wanted, "
+     "two angles in degrees (from, to), a point of the axis and its direction, "
+     "a vector.",
      S "t = tvrev(s);", tvrev, 0, 15},
-    {"TVPREV", "s:surface -> trivar",
+    {"TVPREV", "s:surface|list -> trivar",
      "The same with a polynomial approximation of the circle.",
      S "t = tvprev(s);", tvprev, 0, 15},
     {"TBOOLONE", "s:surface -> trivar",

@@ -8,12 +8,11 @@
 #include "iritx/sym.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
+#include "lang/prims_surface.h"
 
 /* The freeform and a direction of it, from arguments 0 and i. */
 static ix_status fetch_dir(ix_call *c, int i, const ix_mv **m, int *dir)
 {
-    if (c->argv[0]->type == IX_OBJ_TRIMSRF)
-        return IX_ARG_FAIL(c, 0, "a trimmed surface cannot be cut");
     *m = ix__arg_mv(c, 0);
     return ix__arg_dir(c, i, (*m)->ndirs, dir);
 }
@@ -34,6 +33,8 @@ static ix_status with_interval(ix_call *c, interval_fn fn)
 
 ix_status ix__prim_region(ix_call *c)
 {
+    if (c->argv[0]->type == IX_OBJ_TRIMSRF)
+        return ix__prim_trim_region(c);
     return with_interval(c, ix_mv_region);
 }
 
@@ -81,6 +82,8 @@ ix_status ix__prim_divide(ix_call *c)
     ix_mv *out[2];
     int dir;
 
+    if (c->argv[0]->type == IX_OBJ_TRIMSRF)
+        return ix__prim_trim_divide(c);
     IX_TRY(fetch_dir(c, 1, &m, &dir));
     IX_TRY(ix_mv_split(c->ctx, m, dir, ix__arg_num(c, 2), out));
     return ix__ret_pair(c, 0, out);

@@ -18,10 +18,12 @@ ix_status ix__prim_svolume(ix_call *c);  /* (s, method, eval) */
 ix_status ix__prim_smoments(ix_call *c); /* (s, order, axis1, axis2, eval) */
 
 /* prims_trim.c */
-ix_status ix__prim_trimsrf(ix_call *c);  /* (s, curves, has_upper) */
-ix_status ix__prim_strimsrf(ix_call *c); /* (ts) */
-ix_status ix__prim_ctrimsrf(ix_call *c); /* (ts, param) */
-ix_status ix__prim_trmsrfs(ix_call *c);  /* (s, contours) */
+ix_status ix__prim_trimsrf(ix_call *c);     /* (s, curves, has_upper) */
+ix_status ix__prim_strimsrf(ix_call *c);    /* (ts) */
+ix_status ix__prim_ctrimsrf(ix_call *c);    /* (ts, param) */
+ix_status ix__prim_trmsrfs(ix_call *c);     /* (s, contours) */
+ix_status ix__prim_trim_region(ix_call *c); /* (ts, dir, t0, t1) */
+ix_status ix__prim_trim_divide(ix_call *c); /* (ts, dir, t) */
 /* A copy of t whose surface is srf and whose parameter curves went through
  * the matrix; takes over nothing. */
 ix_status ix__trim_mapped(ix_ctx *ctx, const ix_trimsrf *t, const ix_mv *srf,

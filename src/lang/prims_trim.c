@@ -267,22 +267,21 @@ static ix_status add_contours(ix_call *c, const ix_obj *o, contours *k)
     return IX_OK;
 }
 
-/* Region i as a trimmed surface. */
-static ix_status region_piece(ix_ctx *ctx, const ix_mv *srf,
-                              const ix_regions *r, int i, ix_trimsrf **out)
+/* Loops first .. last - 1 of regions as a trimmed surface. */
+static ix_status loops_piece(ix_ctx *ctx, const ix_mv *srf, const ix_regions *r,
+                             int first, int last, ix_trimsrf **out)
 {
-    int first = r->first_loop[i], n = r->first_loop[i + 1] - first;
-
-    *out = ix__trimsrf_new(ctx, srf, n);
+    *out = ix__trimsrf_new(ctx, srf, last - first);
     if (!*out)
         return IX_ENOMEM;
-    for (int l = 0; l < n; l++) {
+    for (int l = 0; l < last - first; l++) {
         int at = r->first_crv[first + l];
         int m = r->first_crv[first + l + 1] - at;
         ix_status st = ix__trimloop_segs(ctx, &(*out)->loop[l], m);
 
         if (st != IX_OK) {
             ix__trimsrf_unref(ctx, *out);
+            *out = NULL;
             return st;
         }
         for (int k = 0; k < m; k++)
@@ -299,7 +298,8 @@ static ix_status ret_pieces(ix_call *c, const ix_mv *srf, const ix_regions *r)
     for (int i = 0; st == IX_OK && i < r->n; i++) {
         ix_trimsrf *t;
 
-        st = region_piece(c->ctx, srf, r, i, &t);
+        st = loops_piece(c->ctx, srf, r, r->first_loop[i], r->first_loop[i + 1],
+                         &t);
         if (st == IX_OK)
             st = ix__list_add(c->ctx, list, ix__obj_trimsrf(c->ctx, t));
     }
@@ -383,4 +383,110 @@ ix_status ix__trim_mapped(ix_ctx *ctx, const ix_trimsrf *t, const ix_mv *srf,
         }
     }
     return IX_OK;
+}
+
+/* --- parts of trimmed surfaces ------------------------------------------ */
+
+/* The loops of t as first[nloops + 1] and crv. */
+static ix_status list_loops(ix_ctx *ctx, const ix_trimsrf *t, int **first,
+                            const ix_mv ***crv)
+{
+    int n = 0;
+
+    IX_SCRATCH(ctx, *first, t->nloops + 1);
+    for (int l = 0; l < t->nloops; l++) {
+        (*first)[l] = n;
+        n += t->loop[l].n;
+    }
+    (*first)[t->nloops] = n;
+    IX_SCRATCH(ctx, *crv, n);
+    for (int l = 0, k = 0; l < t->nloops; l++)
+        for (int i = 0; i < t->loop[l].n; i++)
+            (*crv)[k++] = t->loop[l].seg[i].uv;
+    return IX_OK;
+}
+
+/* The regions of t over the interval, on srf, the part of its surface there,
+ * whose domain may be another. */
+static ix_status part_of(ix_ctx *ctx, const ix_mv *srf, const ix_regions *r,
+                         int dir, const double from[2], ix_trimsrf **out)
+{
+    double mat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, to[2];
+    ix_trimsrf *whole;
+    ix_status st;
+
+    IX_TRY(loops_piece(ctx, srf, r, 0, r->nloops, &whole));
+    ix_mv_domain(srf, dir, to);
+    mat[5 * dir] = (to[1] - to[0]) / (from[1] - from[0]);
+    mat[12 + dir] = to[0] - from[0] * mat[5 * dir];
+    st = ix__trim_mapped(ctx, whole, srf, mat, out);
+    ix__trimsrf_unref(ctx, whole);
+    return st;
+}
+
+/* The part of the trimmed surface over [t0, t1] of direction dir; NULL if there
+ * is none. */
+static ix_status cut_trimmed(ix_call *c, int dir, double t0, double t1,
+                             ix_trimsrf **out)
+{
+    const ix_trimsrf *t = c->argv[0]->u.trim.item[0];
+    double box[2][2], from[2] = {fmin(t0, t1), fmax(t0, t1)};
+    const ix_mv **crv;
+    ix_regions r;
+    ix_status st;
+    ix_mv *srf;
+    int *first;
+
+    *out = NULL;
+    IX_TRY(list_loops(c->ctx, t, &first, &crv));
+    for (int d = 0; d < 2; d++)
+        ix_mv_domain(t->srf, d, box[d]);
+    memcpy(box[dir], from, sizeof from);
+    IX_TRY(ix_mv_region(c->ctx, t->srf, dir, t0, t1, &srf));
+    st = ix_trim_box(c->ctx, (const double(*)[2])box, t->nloops, first, crv,
+                     &r);
+    if (st == IX_OK && r.n > 0)
+        st = part_of(c->ctx, srf, &r, dir, from, out);
+    ix_regions_free(c->ctx, &r);
+    ix_mv_unref(c->ctx, srf);
+    return st;
+}
+
+ix_status ix__prim_trim_region(ix_call *c)
+{
+    double t0 = ix__arg_num(c, 2), t1 = ix__arg_num(c, 3);
+    ix_trimsrf *out;
+    int dir;
+
+    IX_TRY(ix__arg_dir(c, 1, 2, &dir));
+    IX_TRY(cut_trimmed(c, dir, t0, t1, &out));
+    if (!out)
+        return IX_FAIL(c->ctx, IX_EDOMAIN,
+                       "nothing of the trimmed surface is between %g and %g",
+                       t0, t1);
+    return ix__ret(c, ix__obj_trimsrf(c->ctx, out));
+}
+
+ix_status ix__prim_trim_divide(ix_call *c)
+{
+    double t = ix__arg_num(c, 2), dom[2];
+    ix_obj *list;
+    ix_status st;
+    int dir;
+
+    IX_TRY(ix__arg_dir(c, 1, 2, &dir));
+    ix_mv_domain(c->argv[0]->u.trim.item[0]->srf, dir, dom);
+    if (!(t > dom[0] && t < dom[1]))
+        return IX_ARG_FAIL(c, 2, "%g is not inside the domain [%g, %g]", t,
+                           dom[0], dom[1]);
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int e = 0; e < 2 && st == IX_OK; e++) {
+        ix_trimsrf *out;
+
+        st = cut_trimmed(c, dir, e ? t : dom[0], e ? dom[1] : t, &out);
+        if (st == IX_OK && out)
+            st = ix__list_add(c->ctx, list, ix__obj_trimsrf(c->ctx, out));
+    }
+    return ix__ret_list(c, list, st);
 }

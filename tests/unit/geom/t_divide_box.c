@@ -194,6 +194,51 @@ static void random_divisions(void **state)
     gt_end(&t);
 }
 
+/* Laws of what is inside loops: of a ring cut by a box, areas of both parts add
+ * up to the ring's; loops of several curves with a gap of 1e-5 close. */
+static void trimmed(void **state)
+{
+    const double left[2][2] = {{2, 150}, {-0.5, 0.5}};
+    const double right[2][2] = {{150, 402}, {-0.5, 0.5}};
+    const int first[3] = {0, 1, 2}, corners[2] = {0, 3};
+    const double ring = 3.14159265358979 * (0.16 - 0.01) * 400;
+    gt t = gt_begin(85);
+    ix_mv *c[3];
+    ix_regions r;
+    double sum = 0;
+
+    (void)state;
+    c[0] = disk(&t, 0.5, 0.5, 0.4);
+    c[1] = disk(&t, 0.5, 0.5, 0.1);
+    ASSERT_OK(t.ctx,
+              ix_trim_box(t.ctx, box, 2, first, (const ix_mv *const *)c, &r));
+    assert_int_equal(r.n, 1);
+    assert_int_equal(r.nloops, 2);
+    ASSERT_CLOSE(r.area[0], ring, 1e-9);
+    ix_regions_free(t.ctx, &r);
+    for (int k = 0; k < 2; k++) {
+        ASSERT_OK(t.ctx, ix_trim_box(t.ctx, k ? right : left, 2, first,
+                                     (const ix_mv *const *)c, &r));
+        for (int i = 0; i < r.n; i++)
+            sum += r.area[i];
+        ix_regions_free(t.ctx, &r);
+    }
+    ASSERT_CLOSE(sum, ring, 1e-9);
+    ix_mv_unref(t.ctx, c[0]);
+    ix_mv_unref(t.ctx, c[1]);
+    c[0] = line(&t, 0.1, 0.1, 0.9, 0.1);
+    c[1] = line(&t, 0.9, 0.1 + 1e-5, 0.9, 0.9);
+    c[2] = line(&t, 0.9, 0.9, 0.1, 0.1 + 1e-5);
+    ASSERT_OK(t.ctx,
+              ix_trim_box(t.ctx, box, 1, corners, (const ix_mv *const *)c, &r));
+    assert_int_equal(r.n, 1);
+    ASSERT_CLOSE(r.area[0], 400 * 0.32, 400 * 1e-5);
+    ix_regions_free(t.ctx, &r);
+    for (int k = 0; k < 3; k++)
+        ix_mv_unref(t.ctx, c[k]);
+    gt_end(&t);
+}
+
 static void errors(void **state)
 {
     const double empty[2][2] = {{0, 1}, {1, 1}};
@@ -209,6 +254,10 @@ static void errors(void **state)
         IX_EARG);
     assert_int_equal(
         ix_divide_box(t.ctx, box, 1, (const ix_mv *const[]){s}, &r), IX_EARG);
+    assert_int_equal(ix_trim_box(t.ctx, empty, 0, NULL, NULL, &r), IX_EARG);
+    assert_int_equal(ix_trim_box(t.ctx, box, 1, (const int[2]){0, 1},
+                                 (const ix_mv *const[]){flat}, &r),
+                     IX_EARG);
     assert_int_equal(r.n, 0);
     ix_regions_free(t.ctx, &r);
     ix_mv_unref(t.ctx, flat);
@@ -233,8 +282,11 @@ static void setup(ix_ctx *ctx, void *state)
 
 static ix_status run(ix_ctx *ctx, void *state)
 {
+    const int first[2] = {0, 2};
     fault *f = state;
 
+    IX_TRY(ix_trim_box(ctx, box, 1, first, (const ix_mv *const *)f->c, &f->r));
+    ix_regions_free(ctx, &f->r);
     return ix_divide_box(ctx, box, 2, (const ix_mv *const *)f->c, &f->r);
 }
 
@@ -259,9 +311,8 @@ static void out_of_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_divisions),
-        cmocka_unit_test(random_divisions),
-        cmocka_unit_test(errors),
+        cmocka_unit_test(known_divisions), cmocka_unit_test(random_divisions),
+        cmocka_unit_test(trimmed),         cmocka_unit_test(errors),
         cmocka_unit_test(out_of_memory),
     };
 

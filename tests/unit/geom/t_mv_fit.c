@@ -25,7 +25,7 @@ static void nodes_are_met(void **state)
         int nd = 1 + round % 3;
         const ix_rand_opts o = {.ndirs = nd,
                                 .ncoords = 2,
-                                .rational = -1,
+                                .rational = 0,
                                 .kinds = IX_RAND_BEZIER | IX_RAND_OPEN,
                                 .min_order = 2,
                                 .max_order = 4,

@@ -40,7 +40,7 @@ static void ruled_comes_back(void **state)
         ix_fit_error err;
 
         for (int i = 0; i < 2; i++)
-            c[i] = gt_random(&t, 1, 3, -1,
+            c[i] = gt_random(&t, 1, 3, 0,
                              IX_RAND_BEZIER | IX_RAND_OPEN | IX_RAND_FLOAT, 2);
         ASSERT_OK(t.ctx, ix_srf_ruled(t.ctx, c[0], c[1], &s));
         if (o.dir == 0) {

@@ -143,7 +143,7 @@ static void weights(void **state)
         ix_mv *c[6], *r;
 
         for (int i = 0; i < 6; i++)
-            c[i] = gt_random(&t, 1, 3, -1, IX_RAND_BEZIER, 2);
+            c[i] = gt_random(&t, 1, 3, 0, IX_RAND_BEZIER, 2);
         ix_mv_unref(t.ctx, c[4]);
         c[4] = gt_curve(&t, 3, 3, NULL, 2, k % 2 == 0,
                         round[0] + (k % 2 ? 3 : 0));

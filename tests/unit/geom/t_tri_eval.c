@@ -72,6 +72,36 @@ static void test_eval(void **state)
     gt_end(&t);
 }
 
+/* Law: the curve of a constant parameter is the patch there; the first of the
+ * others falls, the second grows. */
+static void test_iso(void **state)
+{
+    gt t = gt_begin(84);
+
+    (void)state;
+    for (int k = 0; k < ROUNDS; k++) {
+        int order = ix_rng_int(&t.r, 1, MAX_ORDER), n = order * (order + 1) / 2;
+        double pts[2 * MAX_PTS], crv[2 * MAX_ORDER], v[2], b[3], at;
+        double x = ix_rng_unit(&t.r), s = ix_rng_unit(&t.r);
+        int dir = k % 3;
+        ix_mv *c;
+
+        for (int i = 0; i < 2 * n; i++)
+            pts[i] = ix_rng_range(&t.r, -1, 1);
+        b[dir] = x;
+        b[dir == 0 ? 1 : 0] = (1 - x) * (1 - s);
+        b[dir == 2 ? 1 : 2] = (1 - x) * s;
+        ASSERT_OK(t.ctx, ix_tri_iso(t.ctx, order, 2, dir, x, pts, crv));
+        c = gt_curve(&t, order, order, NULL, 2, false, crv);
+        at = s;
+        ASSERT_OK(t.ctx, ix_mv_point(t.ctx, c, &at, v));
+        for (int a = 0; a < 2; a++)
+            ASSERT_CLOSE(v[a], bernstein(order, pts + a * n, b), 1e-13);
+        ix_mv_unref(t.ctx, c);
+    }
+    gt_end(&t);
+}
+
 static void test_errors(void **state)
 {
     const double pts[1] = {1}, good[3] = {0.2, 0.3, 0.5}, bad[3] = {1, 1, 1};
@@ -83,15 +113,21 @@ static void test_errors(void **state)
     assert_int_equal(ix_tri_eval(t.ctx, 1, 1, pts, bad, &v), IX_EDOMAIN);
     ASSERT_OK(t.ctx, ix_tri_eval(t.ctx, 1, 1, pts, good, &v));
     assert_true(v == 1);
+    assert_int_equal(ix_tri_iso(t.ctx, 0, 1, 0, 0.5, pts, &v), IX_EARG);
+    assert_int_equal(ix_tri_iso(t.ctx, 1, 1, 3, 0.5, pts, &v), IX_EARG);
+    assert_int_equal(ix_tri_iso(t.ctx, 1, 1, 0, 1.5, pts, &v), IX_EDOMAIN);
+    assert_int_equal(ix_tri_iso(t.ctx, 1, 1, 0, (double)NAN, pts, &v),
+                     IX_EDOMAIN);
     gt_end(&t);
 }
 
 static ix_status run(ix_ctx *ctx, void *state)
 {
     const double pts[3] = {1, 2, 3}, at[3] = {0.2, 0.3, 0.5};
-    double v;
+    double v, row[2];
 
     (void)state;
+    IX_TRY(ix_tri_iso(ctx, 2, 1, 0, 0.5, pts, row));
     return ix_tri_eval(ctx, 2, 1, pts, at, &v);
 }
 
@@ -105,9 +141,9 @@ static void test_no_memory(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_eval),
-                                       cmocka_unit_test(test_errors),
-                                       cmocka_unit_test(test_no_memory)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_eval), cmocka_unit_test(test_iso),
+        cmocka_unit_test(test_errors), cmocka_unit_test(test_no_memory)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@ static ix_mv *spline(ix_ctx *ctx, ix_rng *r, int ndirs)
 {
     const ix_rand_opts o = {.ndirs = ndirs,
                             .ncoords = 2,
-                            .rational = -1,
+                            .rational = 0,
                             .kinds = IX_RAND_OPEN,
                             .min_order = 1,
                             .max_order = 5,
