@@ -184,8 +184,8 @@ typedef struct {
  *
  * Out   *out  order 2 in direction dir. The sides of a closed srf need not
  *             close
- *       *err  NULL, or distances of points of srf, even in its parameters, four
- *             times as many along its sides as samples, from the result
+ *       *err  NULL, or distances of points of srf, even in its parameters,
+ *             twice as many along its sides as samples, from the result
  * Err   IX_EARG not a surface of at most 3 coordinates, orders below 2, options
  *       IX_EDOMAIN poles
  * Num   O(samples^2 + points); deterministic

@@ -27,13 +27,8 @@ static ix_status gap_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
     return st;
 }
 
-ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
-                         int *n, double **t)
+ix_status ix__iso_check(ix_ctx *ctx, const ix_mv *s, double eps)
 {
-    /* both ends of a closed surface are one curve */
-    const ix__halving h = {gap_of, s, dir, eps, true, "the next curve"};
-
-    *n = 0;
     if (s->ndirs != 2 || s->ncoords > 3)
         return IX_FAIL(ctx, IX_EARG,
                        "%d directions and %d coordinates; a surface of at most "
@@ -42,5 +37,16 @@ ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
     if (!(eps > 0))
         return IX_FAIL(ctx, IX_EARG, "a distance of %g; it must be positive",
                        eps);
+    return IX_OK;
+}
+
+ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
+                         int *n, double **t)
+{
+    /* both ends of a closed surface are one curve */
+    const ix__halving h = {gap_of, s, dir, eps, true, "the next curve"};
+
+    *n = 0;
+    IX_TRY(ix__iso_check(ctx, s, eps));
     return ix__halve(ctx, &h, n, t);
 }

@@ -12,4 +12,22 @@
 ix_status ix__iso_params(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
                          int *n, double **t) IX_MUST_CHECK;
 
+/* The part over `range` of the curve at parameter t. Level 0: the borders; 1:
+ * in the middle of the domain; each further one in the middle of two curves of
+ * lower levels. */
+typedef struct {
+    double t, range[2];
+    int level;
+} ix__iso_part;
+
+/* As above, but curves are only where those around them are farther apart than
+ * eps, measured exactly. part[*n] in scratch, by rising t, then range; the
+ * borders and the middle are there as wholes. Err as above; IX_EUNABLE more
+ * than 2^16 parts, or level 24 */
+ix_status ix__iso_parts(ix_ctx *ctx, const ix_mv *s, int dir, double eps,
+                        int *n, ix__iso_part **part) IX_MUST_CHECK;
+
+/* The checks of both. */
+ix_status ix__iso_check(ix_ctx *ctx, const ix_mv *s, double eps) IX_MUST_CHECK;
+
 #endif

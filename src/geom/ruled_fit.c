@@ -154,25 +154,50 @@ static void ask_fair(sides *s)
         ix__band_add(&s->b, i, 13, row, &zero);
 }
 
-/* The point p asks its place to come: fully, but only with weight `loose` along
- * the directions in which that place can move anyway. */
-static void ask_point(sides *s, const ix__strip_foot *f, double loose,
-                      const double p[3])
+/* Unit vectors perpendicular to each other: first those along which the place
+ * can move. */
+static void frame_of(const ix__strip_foot *f, double e[3][3])
+{
+    const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+    memcpy(e, unit, sizeof unit);
+    if (f->nfree == 0)
+        return;
+    memcpy(e[0], f->free[0], sizeof e[0]);
+    if (f->nfree == 2)
+        memcpy(e[1], f->free[1], sizeof e[1]);
+    else
+        ix__perp3(e[0], e[1]);
+    ix__cross3(e[0], e[1], e[2]);
+}
+
+/* Along directions in which places can move anyway only every few points ask
+ * when this is to be loose: that needs only to be some hold. */
+enum { HOLDERS = 4 };
+
+/* Point i of the surface asks its place to come: fully, but only with weight
+ * `loose` along the directions in which that place can move anyway. */
+static void ask_point(sides *s, const cloud *c, int i, const ix__strip_foot *f,
+                      double loose)
 {
     int first = ix__basis_first(s->dir, f->t), o = s->dir->order;
+    double e[3][3];
 
     ix__basis_derive(s->dir, first, f->t, 0, s->w);
+    frame_of(f, e);
     for (int r = 0; r < 3; r++) {
-        double m[3] = {0}, rhs;
+        double weight = 1, rhs;
 
-        m[r] = 1;
-        for (int k = 0; k < f->nfree; k++)
-            ix__axpy3(m, -(1 - loose) * f->free[k][r], f->free[k], m);
+        if (r < f->nfree && loose < 1) {
+            if (i % HOLDERS != 0)
+                continue;
+            weight = loose * sqrt(HOLDERS);
+        }
         for (int q = 0; q < 2 * o; q++)
-            for (int c = 0; c < 3; c++)
-                s->row[3 * q + c] = s->w[q / 2] * (q % 2 ? f->x : 1 - f->x) *
-                                    m[c];
-        rhs = ix__dot3(m, p);
+            for (int k = 0; k < 3; k++)
+                s->row[3 * q + k] = weight * s->w[q / 2] *
+                                    (q % 2 ? f->x : 1 - f->x) * e[r][k];
+        rhs = weight * ix__dot3(e[r], c->p[i]);
         ix__band_add(&s->b, 6 * first, 6 * o, s->row, &rhs);
     }
 }
@@ -190,7 +215,7 @@ static ix_status solve_sides(ix_ctx *ctx, const cloud *c,
     IX_SCRATCH(ctx, pts, 3 * n);
     ask_fair(&s);
     for (int i = 0; i < c->n; i++)
-        ask_point(&s, &foot[i], loose, c->p[i]);
+        ask_point(&s, c, i, &foot[i], loose);
     IX_TRY(ix__band_solve(ctx, &s.b, x));
     for (size_t k = 0; k < 2; k++) {
         for (size_t i = 0; i < 3 * n; i++)
@@ -318,7 +343,7 @@ static ix_status leaning(ix_ctx *ctx, const ix_mv *s, const ix_mv *wide,
 
     IX_TRY(ix__rulings_find(ctx, wide, o->samples + 2 * slack, slack, fine, g));
     IX_TRY(side_dir(ctx, s, g, s->dirs[0].order + o->samples / 4, &dir));
-    IX_TRY(take_points(ctx, s, 2 * o->samples + 1, fine + 1, &c));
+    IX_TRY(take_points(ctx, s, o->samples + 2, fine + 1, &c));
     c.pinned = true;
     c.ends = !(o->extend > 0);
     IX_TRY(first_feet(ctx, &c, g, &foot));
@@ -381,7 +406,7 @@ static ix_status better_sides(ix_ctx *ctx, const task *k, attempt *a,
     double size;
     cloud c;
 
-    IX_TRY(take_points(ctx, k->s, 4 * k->o->samples + 1, 2 * fine + 1, &c));
+    IX_TRY(take_points(ctx, k->s, 2 * k->o->samples + 1, 2 * fine + 1, &c));
     IX_TRY(straight(ctx, k, &c, a));
     IX_TRY(size_of(ctx, k->s, &size));
     if (a->err.largest <= 1e-12 * size) /* ruled, up to rounding */

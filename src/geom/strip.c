@@ -3,6 +3,7 @@
 #include "geom/strip.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "geom/vec3.h"
 
@@ -36,19 +37,8 @@ ix_status ix__strip_new(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
     return sample(ctx, out);
 }
 
-/* Notes direction g as free, apart from what is free already. */
-static void set_free(ix__strip_foot *f, const double g[3])
-{
-    double d[3] = {g[0], g[1], g[2]};
-
-    for (int k = 0; k < f->nfree; k++)
-        ix__axpy3(d, -ix__dot3(g, f->free[k]), f->free[k], d);
-    if (ix__unit3(d, f->free[f->nfree]) > 0)
-        f->nfree++;
-}
-
 /* The nearest place on the ruling at t, and the Gauss-Newton step from there.
- */
+ * Free directions are not made unit vectors yet. */
 static double on_ruling(const ix__strip *s, const double p[3], double t,
                         const ix__strip_range *in, ix__strip_foot *f)
 {
@@ -60,21 +50,33 @@ static double on_ruling(const ix__strip *s, const double p[3], double t,
     ix__sub3(d[1][0], d[0][0], e);
     ix__sub3(p, d[0][0], rest);
     x = ix__dot3(rest, e) / ix__dot3(e, e);
-    *f = (ix__strip_foot){.t = t, .x = in->x[0]}; /* also without length */
-    if (x > in->x[0])
-        f->x = fmin(x, in->x[1]);
+    f->t = t;
+    f->x = x > in->x[0] ? fmin(x, in->x[1])
+                        : in->x[0]; /* also without length */
+    f->nfree = 0;
     ix__axpy3(rest, -f->x, e, rest);
     f->dist2 = ix__dot3(rest, rest);
     for (int c = 0; c < 3; c++)
         g[c] = (1 - f->x) * d[0][1][c] + f->x * d[1][1][c];
-    if (f->x > in->x[0] && f->x < in->x[1])
-        set_free(f, e);
     slope = ix__dot3(rest, g);
-    if (f->nfree) /* moving along the ruling costs nothing */
-        ix__axpy3(g, -ix__dot3(g, f->free[0]), f->free[0], g);
+    if (f->x > in->x[0] && f->x < in->x[1]) { /* along it moving is free */
+        memcpy(f->free[f->nfree++], e, sizeof e);
+        ix__axpy3(g, -ix__dot3(g, e) / ix__dot3(e, e), e, g);
+    }
     if (in->t[0] < in->t[1])
-        set_free(f, g);
+        memcpy(f->free[f->nfree++], g, sizeof g);
     return slope / ix__dot3(g, g);
+}
+
+/* Unit vectors of the free directions that have a length. */
+static void finish(ix__strip_foot *f)
+{
+    int n = 0;
+
+    for (int k = 0; k < f->nfree; k++)
+        if (ix__unit3(f->free[k], f->free[n]) > 0)
+            n++;
+    f->nfree = n;
 }
 
 void ix__strip_nearest_from(const ix__strip *s, const double p[3], double t,
@@ -97,6 +99,7 @@ void ix__strip_nearest_from(const ix__strip *s, const double p[3], double t,
             step /= 4;
         }
     }
+    finish(out);
 }
 
 /* Squared distance from sample ruling i. */

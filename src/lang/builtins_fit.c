@@ -36,67 +36,99 @@ static ix_status ruledfit(ix_call *c)
     return ix__ret(c, r);
 }
 
-/* --- trivariates -----------------------------------------------------------
- */
+/* --- splines through data, or nearest to them
+ * ---------------------------------- */
 
 typedef struct {
+    int ndirs;
     int order[3], size[3];
-} tv_args;
+} fit_args;
 
-/* A grid of points, lists three deep. */
-static ix_status tv_grid(ix_call *c, const tv_args *a)
+/* A grid of points, in lists as deep as there are directions. */
+static ix_status fit_grid(ix_call *c, const fit_args *f)
 {
     ix_mesh m;
     ix_mv *out;
 
-    IX_TRY(ix__arg_mesh(c, 0, 3, &m));
-    IX_TRY(ix_mv_fit_grid(c->ctx, 3, m.length, m.ncoords, m.rational, m.pts,
-                          a->order, a->size, &out));
+    IX_TRY(ix__arg_mesh(c, 0, f->ndirs, &m));
+    IX_TRY(ix_mv_fit_grid(c->ctx, f->ndirs, m.length, m.ncoords, m.rational,
+                          m.pts, f->order, f->size, &out));
     return ix__ret_mv(c, -1, out);
 }
 
-/* Control points (u, v, w, values ...). */
-static ix_status tv_scattered(ix_call *c, const tv_args *a)
+/* Control points (parameters, values ...). */
+static ix_status fit_scattered(ix_call *c, const fit_args *f)
 {
     int n, ncoords;
     bool rational;
     double *pts;
+    ix_cloud cloud;
     ix_mv *out;
 
     IX_TRY(ix__arg_points(c, c->argv[0], &n, &ncoords, &rational, &pts));
-    if (rational || ncoords < 4)
+    if (rational || ncoords <= f->ndirs)
         return IX_ARG_FAIL(c, 0,
-                           "scattered points need the coordinates u, v, w and "
-                           "at least one value, not %c%d",
+                           "scattered points need the coordinates %s and at "
+                           "least one value, not %c%d",
+                           f->ndirs == 2 ? "u, v" : "u, v, w",
                            rational ? 'P' : 'E', ncoords);
-    for (int d = 0; d < 3; d++)
-        if (a->order[d] < 1 || a->size[d] < a->order[d])
-            return IX_ARG_FAIL(
-                c, 1 + d,
-                "%d control points of order %d; scattered points "
-                "need 1 <= order <= control points",
-                a->size[d], a->order[d]);
-    IX_TRY(ix_mv_fit_points(
-        c->ctx, &(ix_cloud){3, n, pts, ncoords - 3, pts + 3 * (size_t)n},
-        a->order, a->size, &out));
+    cloud = (ix_cloud){f->ndirs, n, pts, ncoords - f->ndirs,
+                       pts + (size_t)f->ndirs * (size_t)n};
+    IX_TRY(ix_mv_fit_points(c->ctx, &cloud, f->order, f->size, &out));
     return ix__ret_mv(c, -1, out);
+}
+
+static ix_status fit_list(ix_call *c, const fit_args *f)
+{
+    const ix_list *l = &c->argv[0]->u.list;
+
+    return l->n > 0 && l->item[0]->type == IX_OBJ_LIST ? fit_grid(c, f)
+                                                       : fit_scattered(c, f);
+}
+
+/* list(surface, error) near the surface of argument 0. */
+static ix_status fit_surface(ix_call *c, const fit_args *f)
+{
+    ix_obj *list;
+    ix_status st;
+    double err;
+    ix_mv *out;
+
+    IX_TRY(ix_srf_fit_surface(c->ctx, ix__arg_mv(c, 0), f->order, f->size, &err,
+                              &out));
+    list = ix__obj_list(c->ctx);
+    st = ix__list_add(c->ctx, list, ix__obj_mv(c->ctx, IX_OBJ_SURFACE, out));
+    if (st == IX_OK)
+        st = ix__list_add_num(c->ctx, list, err);
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status sinterp(ix_call *c)
+{
+    fit_args f = {.ndirs = 2};
+
+    for (int d = 0; d < 2; d++) {
+        IX_TRY(ix__arg_int(c, 1 + d, 1, IX_MAX_ORDER, &f.order[d]));
+        IX_TRY(ix__arg_int(c, 3 + d, 0, 10000, &f.size[d]));
+    }
+    if (ix__arg_num(c, 5) != IX__PARAM_UNIFORM)
+        return IX_ARG_FAIL(c, 5, "only PARAM_UNIFORM is possible");
+    return c->argv[0]->type == IX_OBJ_SURFACE ? fit_surface(c, &f)
+                                              : fit_list(c, &f);
 }
 
 static ix_status tinterp(ix_call *c)
 {
-    const ix_obj *o = c->argv[0];
-    tv_args a;
+    fit_args f = {.ndirs = 3};
     ix_mv *out;
 
     for (int d = 0; d < 3; d++) {
-        IX_TRY(ix__arg_int(c, 1 + d, 0, 10000, &a.size[d]));
-        IX_TRY(ix__arg_int(c, 4 + d, 0, IX_MAX_ORDER, &a.order[d]));
+        IX_TRY(ix__arg_int(c, 1 + d, 0, 10000, &f.size[d]));
+        IX_TRY(ix__arg_int(c, 4 + d, 0, IX_MAX_ORDER, &f.order[d]));
     }
-    if (o->type == IX_OBJ_LIST)
-        return o->u.list.n > 0 && o->u.list.item[0]->type == IX_OBJ_LIST
-                   ? tv_grid(c, &a)
-                   : tv_scattered(c, &a);
-    IX_TRY(ix_mv_fit_nodes(c->ctx, ix__arg_mv(c, 0), a.order, a.size, &out));
+    if (c->argv[0]->type == IX_OBJ_LIST)
+        return fit_list(c, &f);
+    IX_TRY(ix_mv_fit_nodes(c->ctx, ix__arg_mv(c, 0), f.order, f.size, &out));
     return ix__ret_mv(c, -1, out);
 }
 
@@ -214,6 +246,16 @@ const ix_builtin ix__builtins_fit[] = {
      "list(point(2,0,1), point(2,1,0.5), point(2,2,1)), list(point(4,0,0), "
      "point(4,1,2), point(4,2,0.4)))); r = ruledfit(s, ROW, 0, 20);",
      ruledfit, 0, 11},
+    {"SINTERP",
+     "data:surface|list uOrder:num vOrder:num uSize:num vSize:num param:num -> "
+     "any",
+     "Surface through a grid of points (inner lists along u), or nearest to it "
+     "with fewer control points; to scattered points (u, v, values); to a "
+     "surface, then list(surface, error).",
+     "s = sinterp(list(list(point(0,0,0), point(1,0,0), point(2,0,0)), "
+     "list(point(0,1,0), point(1,1,1), point(2,1,0)), list(point(0,2,0), "
+     "point(1,2,0), point(2,2,0))), 3, 3, 0, 0, PARAM_UNIFORM);",
+     sinterp, 0, 11},
     {"TINTERP",
      "t:trivar|list ul:num vl:num wl:num uo:num vo:num wo:num -> trivar",
      "Trivariate of the given lengths and orders through data, or nearest to "

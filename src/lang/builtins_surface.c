@@ -327,76 +327,7 @@ static ix_status hermite(ix_call *c)
     return ix__ret_mv(c, -1, out);
 }
 
-/* --- interpolation, quadrics ------------------------------------------- */
-
-typedef struct {
-    int order[2], size[2];
-} fit_args;
-
-/* list(surface, error) near the surface of argument 0. */
-static ix_status fit_surface(ix_call *c, const fit_args *f)
-{
-    ix_obj *list;
-    ix_status st;
-    double err;
-    ix_mv *out;
-
-    IX_TRY(ix_srf_fit_surface(c->ctx, ix__arg_mv(c, 0), f->order, f->size, &err,
-                              &out));
-    list = ix__obj_list(c->ctx);
-    st = ix__list_add(c->ctx, list, ix__obj_mv(c->ctx, IX_OBJ_SURFACE, out));
-    if (st == IX_OK)
-        st = ix__list_add_num(c->ctx, list, err);
-    return ix__ret_list(c, list, st);
-}
-
-static ix_status fit_mesh(ix_call *c, const fit_args *f)
-{
-    ix_mesh m;
-    ix_mv *out;
-
-    IX_TRY(ix__arg_mesh(c, 0, 2, &m));
-    IX_TRY(ix_srf_fit_grid(c->ctx, m.length, m.ncoords, m.rational, m.pts,
-                           f->order, f->size, &out));
-    return ix__ret_mv(c, -1, out);
-}
-
-/* Control points (u, v, values ...). */
-static ix_status fit_scattered(ix_call *c, const fit_args *f)
-{
-    int n, ncoords;
-    bool rational;
-    double *pts;
-    ix_mv *out;
-
-    IX_TRY(ix__arg_points(c, c->argv[0], &n, &ncoords, &rational, &pts));
-    if (rational || ncoords < 3)
-        return IX_ARG_FAIL(c, 0,
-                           "scattered points need the coordinates u, v "
-                           "and at least one value, not %c%d",
-                           rational ? 'P' : 'E', ncoords);
-    IX_TRY(ix_srf_fit_points(c->ctx, n, pts, ncoords - 2, pts + 2 * (size_t)n,
-                             f->order, f->size, &out));
-    return ix__ret_mv(c, -1, out);
-}
-
-static ix_status sinterp(ix_call *c)
-{
-    const ix_obj *o = c->argv[0];
-    fit_args f;
-
-    for (int d = 0; d < 2; d++) {
-        IX_TRY(ix__arg_int(c, 1 + d, 1, IX_MAX_ORDER, &f.order[d]));
-        IX_TRY(ix__arg_int(c, 3 + d, 0, 10000, &f.size[d]));
-    }
-    if (ix__arg_num(c, 5) != IX__PARAM_UNIFORM)
-        return IX_ARG_FAIL(c, 5, "only PARAM_UNIFORM is possible");
-    if (o->type == IX_OBJ_SURFACE)
-        return fit_surface(c, &f);
-    if (o->u.list.n > 0 && o->u.list.item[0]->type == IX_OBJ_LIST)
-        return fit_mesh(c, &f);
-    return fit_scattered(c, &f);
-}
+/* --- quadrics ----------------------------------------------------------- */
 
 static ix_status quadric(ix_call *c)
 {
@@ -605,16 +536,6 @@ const ix_builtin ix__builtins_surface[] = {
      C "s = sintpcrvs(list(c, c * trans(vector(0,1,0)), c * "
        "trans(vector(0,2,1))), 3, KV_OPEN, PARAM_UNIFORM);",
      ix__prim_skin, 0, 11},
-    {"SINTERP",
-     "data:surface|list uOrder:num vOrder:num uSize:num vSize:num param:num -> "
-     "any",
-     "Surface through a grid of points (inner lists along u), or nearest to it "
-     "with fewer control points; to scattered points (u, v, values); to a "
-     "surface, then list(surface, error).",
-     "s = sinterp(list(list(point(0,0,0), point(1,0,0), point(2,0,0)), "
-     "list(point(0,1,0), point(1,1,1), point(2,1,0)), list(point(0,2,0), "
-     "point(1,2,0), point(2,2,0))), 3, 3, 0, 0, PARAM_UNIFORM);",
-     sinterp, 0, 11},
     {"QUADRIC", "coefs:list -> surface",
      "Patch of the quadric A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + "
      "H y + I z + J = 0; of 7 numbers, the cylinder from 0 to z over the conic "
