@@ -78,7 +78,6 @@ static void make(fits *f)
     const double path[6] = {0.2, 0.8, 0.7, 0.2, 0.3, 0.8};
     const double section[10] = {-1, -0.3, 0, 0.3, 1, 0, 0, 2, 0, 0};
     const double irrational[3] = {1.41421356237, 1.73205080757, 2.2360679775};
-    const double irrational[3] = {1.41421356237, 1.73205080757, 2.2360679775};
     double hill[48];
 
     for (int i = 0; i < 16; i++) {
