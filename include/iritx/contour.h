@@ -70,6 +70,39 @@ ix_status ix_isocline_drafts(ix_ctx *ctx, const ix_mv *s, const double view[3],
 ix_status ix_positive_region(ix_ctx *ctx, const ix_mv *f, double tol,
                              ix_lines *out) IX_MUST_CHECK;
 
+/* Parts of a surface, each with a direction that its normals are near to. */
+typedef struct {
+    double dir[3];   /* unit */
+    ix_lines border; /* closed, as of ix_positive_region */
+} ix_view_region;
+typedef struct {
+    int n;
+    ix_view_region *region;
+    size_t bytes;
+} ix_view_regions;
+void ix_view_regions_free(ix_ctx *ctx, ix_view_regions *r);
+
+/* Few directions such that every normal (S_v x S_u) is within
+ * angle of one of them, and where it is: the regions cover the surface, and
+ * overlap.
+ *
+ * In    cells  1 .. 100: the domain is cut into about cells x cells first, then
+ *              further while normals of a cell spread by more than angle / 3
+ *       angle  0.001 to a right angle (radians)
+ *       tol    of the borders, as in ix_curves_opts
+ * Out   *out   by direction; where an edge of the surface is one point every
+ *              patch has regions of its own
+ * Err   IX_EARG    not a surface in space, power basis, cells, angle
+ *       IX_EDOMAIN a patch without normals
+ *       IX_EUNABLE more than 2000 directions or 20000 cells are needed; as
+ *                  ix_positive_region
+ * Num   covered for certain: cells are bounded, not sampled; the number of
+ *       directions is that of a greedy choice
+ * Src   Elber and Cohen 1995 (visibility by Gauss maps) */
+ix_status ix_srf_view_regions(ix_ctx *ctx, const ix_mv *srf, int cells,
+                              double angle, double tol,
+                              ix_view_regions *out) IX_MUST_CHECK;
+
 /* What is seen as silhouette when the surface turns about the axis through the
  * origin: <S x n, axis> = 0. */
 ix_status ix_polar_silhouette(ix_ctx *ctx, const ix_mv *s, const double axis[3],

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "geom/normals.h"
 #include "geom/outer_mv.h"
 #include "geom/point_curves.h"
 #include "iritx/geom_srf.h"
@@ -94,6 +95,15 @@ static ix_status isocline_field(ix_ctx *ctx, const ix_mv *n,
     return st;
 }
 
+ix_status ix__normals_isocline(ix_ctx *ctx, const ix_mv *field,
+                               const double view[3], double theta, ix_mv **out)
+{
+    *out = NULL;
+    if (fabs(cos(theta)) <= 1e-12) /* not the square of the silhouette's */
+        return ix_sym_dot_vector(ctx, field, view, out);
+    return isocline_field(ctx, field, view, cos(theta), out);
+}
+
 ix_status ix_isocline_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
                             double theta, ix_mv **out)
 {
@@ -107,10 +117,7 @@ ix_status ix_isocline_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
     if (!(len > 0))
         return IX_FAIL(ctx, IX_EARG, "a direction of length 0");
     IX_TRY(ix_srf_normal_field(ctx, s, &n));
-    if (fabs(cos(theta)) <= 1e-12) /* not the square of the silhouette's */
-        st = ix_sym_dot_vector(ctx, n, v, out);
-    else
-        st = isocline_field(ctx, n, v, cos(theta), out);
+    st = ix__normals_isocline(ctx, n, v, theta, out);
     ix_mv_unref(ctx, n);
     return st;
 }

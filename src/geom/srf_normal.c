@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/normals.h"
 #include "geom/parts.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
@@ -213,6 +214,12 @@ static ix_status cone_of(ix_ctx *ctx, const ix_mv *field, double axis[3],
         axis[k] = sum[k];
     *half_angle = worst < 1.57079632679489662 ? worst : 3.14159265358979324;
     return IX_OK;
+}
+
+ix_status ix__normals_cone(ix_ctx *ctx, const ix_mv *field, double axis[3],
+                           double *half_angle)
+{
+    IX_RETURN_SCOPED(ctx, cone_of(ctx, field, axis, half_angle));
 }
 
 ix_status ix_srf_normal_cone(ix_ctx *ctx, const ix_mv *srf, double axis[3],

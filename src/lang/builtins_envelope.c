@@ -214,10 +214,6 @@ const ix_builtin ix__builtins_envelope[] = {
      "-1 and 0, which would prepare and end, give 1.",
      FIELD "l = tcrvtr(t, point(0.4, 0.3, 0.6), 3);", tcrvtr, 0, 15},
 
-    ABSENT("C2RECTRGN",
-           "crvs:list angDev:num outType:num size:num smooth:num -> any",
-           "Tiles a planar region with quadrilaterals",
-           C "o = c2rectrgn(list(c), 30, 1, 0.3, 0);", 9),
     ABSENT("CCRVTR1PT",
            "c:curve idx:num min:num max:num subdiv:num numer:num op:num -> "
            "any",
@@ -235,9 +231,6 @@ const ix_builtin ix__builtins_envelope[] = {
            "s:surface view:vector subdiv:num numer:num merge:num -> list",
            "Finds lines of radial curvature",
            S "l = sradcrvtr(s, vector(1,0,1), 0.1, -1e-6, 0.1);", 19),
-    ABSENT("SVISIBLE", "s:surface resolution:num coneDeg:num -> list",
-           "Divides a surface into parts that one direction sees",
-           S "l = svisible(s, 10, 0.5);", 13),
     ABSENT("TVZRJACOB",
            "t:trivar euclid:bool skip:num fineness:num|list -> poly",
            "Draws where a trivariate folds",

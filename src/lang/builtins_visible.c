@@ -8,6 +8,7 @@
 #include "geom/hull3.h"
 #include "geom/matrix.h"
 #include "geom/vec3.h"
+#include "iritx/contour.h"
 #include "iritx/visible.h"
 #include "lang/args_freeform.h"
 #include "lang/curve_args.h"
@@ -40,6 +41,46 @@ static ix_status cviewmap(ix_call *c)
     st = l.n ? ix__ret_lines(c, &l, IX_POLYLINE) : IX_OK;
     ix_lines_free(c->ctx, &l);
     return st;
+}
+
+/* The region as a trimmed surface with its direction. */
+static ix_status add_region(ix_call *c, const ix_view_region *r, ix_obj *list)
+{
+    ix_obj *dir = ix__obj_vector(c->ctx, r->dir), *o = NULL;
+    ix_status st = dir ? IX_OK : IX_ENOMEM;
+
+    if (st == IX_OK)
+        st = ix__region_obj(c->ctx, ix__arg_mv(c, 0), &r->border, &o);
+    if (st == IX_OK)
+        st = ix__attr_set_obj(c->ctx, &o->attrs, "ViewDir", dir);
+    ix__obj_unref(c->ctx, dir);
+    if (st == IX_OK)
+        return ix__list_add(c->ctx, list, o);
+    ix__obj_unref(c->ctx, o);
+    return st;
+}
+
+static ix_status svisible(ix_call *c)
+{
+    double deg = ix__arg_num(c, 2);
+    ix_view_regions r;
+    ix_obj *list;
+    ix_status st;
+    int cells;
+
+    IX_TRY(ix__arg_int(c, 1, 1, 100, &cells));
+    if (!(deg >= 0.1 && deg <= 90))
+        return IX_ARG_FAIL(c, 2, "a cone of %g degrees; 0.1 to 90 are possible",
+                           deg);
+    IX_TRY(ix_srf_view_regions(c->ctx, ix__arg_mv(c, 0), cells,
+                               deg * (acos(-1) / 180), ix__contour_tolerance(c),
+                               &r));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; st == IX_OK && i < r.n; i++)
+        st = add_region(c, &r.region[i], list);
+    ix_view_regions_free(c->ctx, &r);
+    return ix__ret_list(c, list, st);
 }
 
 /* --- convex hulls --------------------------------------------------------- */
@@ -316,6 +357,13 @@ const ix_builtin ix__builtins_visible[] = {
      "ctlpt(E2,3,1))); o = cviewmap(c, pcircle(vector(0,0,0), 1), 0.05, 1e-5, "
      "0);",
      cviewmap, 0, 9},
+    {"SVISIBLE", "s:surface resolution:num coneDeg:num -> list",
+     "Few directions such that every normal (as SNORMAL) is within coneDeg "
+     "degrees of one of them, and the parts where it is: trimmed surfaces with "
+     "attribute ViewDir, which cover s and overlap. The domain is cut into "
+     "about resolution x resolution cells first, then further as its normals "
+     "need it.",
+     "s = spheresrf(1); l = svisible(s, 4, 60);", svisible, 0, 13},
     {"CVISIBLE", "c:curve view:pt3 eps:num -> list",
      "The parts of a planar curve that nothing of it hides from the viewer at "
      "view = (x, y, 1), or from far away where view = (x, y, 0) points to, on "
