@@ -1,6 +1,6 @@
 /* builtins_planar.c - circles in triangles, belts, curves cut at their
- * intersections, shells, points moved onto others (chapters 9, 11, 22 and 24 of
- * spec/functions). */
+ * intersections, shells, points moved onto others, quadrilaterals (chapters 9,
+ * 11, 22 and 24 of spec/functions). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +11,7 @@
 #include "iritx/distance.h"
 #include "iritx/geom.h"
 #include "iritx/geom_srf.h"
+#include "iritx/tile.h"
 #include "lang/args_freeform.h"
 #include "lang/interp.h"
 #include "mv/mv.h"
@@ -367,6 +368,109 @@ static ix_status ptregister(ix_call *c)
     return ix__attr_set_real(c->ctx, &c->result->attrs, "Error", err);
 }
 
+/* --- tilings
+ * -------------------------------------------------------------------- */
+
+static ix_status ret_polygons(ix_call *c, const ix_quads *q)
+{
+    ix_poly *p = ix__poly_new(c->ctx, q->nquads);
+    ix_status st = p ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < q->nquads; i++) {
+        p->poly[i].kind = IX_POLYGON;
+        st = ix__poly_vertices(c->ctx, &p->poly[i], 4);
+        for (int k = 0; st == IX_OK && k < 4; k++)
+            memcpy(p->poly[i].v[k].p, q->p[q->quad[i].v[k]], sizeof *q->p);
+    }
+    if (st == IX_OK)
+        return ix__ret(c, ix__obj_poly(c->ctx, p));
+    if (p)
+        ix__poly_unref(c->ctx, p);
+    return st;
+}
+
+/* Side k of a quadrilateral as a curve, back: from its end to its start. */
+static ix_status side_of(ix_call *c, const ix_quads *q, const ix_mv *const *crv,
+                         int i, int k, bool back, bool follow, ix_mv **out)
+{
+    const ix_dir d = {.basis = IX_BEZIER, .order = 2, .length = 2};
+    const ix_quad *f = &q->quad[i];
+    const double *a = q->p[f->v[(k + back) % 4]];
+    const double *b = q->p[f->v[(k + !back) % 4]];
+    const double pts[6] = {a[0], b[0], a[1], b[1], 0, 0};
+    ix_mv *part, *flat = NULL;
+    ix_status st;
+
+    if (!follow || f->crv[k] < 0)
+        return ix_mv_new(c->ctx, 1, &d, 3, false, pts, out);
+    IX_TRY(
+        ix_mv_region(c->ctx, crv[f->crv[k]], 0, f->t[k][0], f->t[k][1], &part));
+    st = ix_mv_coerce(c->ctx, part, 2, ix_mv_rational(part), &flat);
+    ix_mv_unref(c->ctx, part);
+    IX_TRY(st);
+    /* a region runs by rising parameters */
+    if ((f->t[k][0] > f->t[k][1]) != back) {
+        st = ix_mv_reverse(c->ctx, flat, 0, &part);
+        ix_mv_unref(c->ctx, flat);
+        IX_TRY(st);
+        flat = part;
+    }
+    st = ix_mv_coerce(c->ctx, flat, 3, ix_mv_rational(flat), out);
+    ix_mv_unref(c->ctx, flat);
+    return st;
+}
+
+static ix_status add_patch(ix_call *c, const ix_quads *q,
+                           const ix_mv *const *crv, int i, bool follow,
+                           ix_obj *list)
+{
+    ix_mv *s[4] = {NULL}, *srf = NULL;
+    ix_status st = IX_OK;
+
+    for (int k = 0; st == IX_OK && k < 4; k++)
+        st = side_of(c, q, crv, i, k, k >= 2, follow, &s[k]);
+    if (st == IX_OK)
+        st = ix_srf_boolsum(c->ctx, s[0], s[2], s[3], s[1], &srf);
+    for (int k = 0; k < 4; k++)
+        ix_mv_unref(c->ctx, s[k]);
+    IX_TRY(st);
+    return ix__list_add(c->ctx, list, ix__obj_mv(c->ctx, IX_OBJ_SURFACE, srf));
+}
+
+static ix_status ret_patches(ix_call *c, const ix_quads *q,
+                             const ix_mv *const *crv, bool follow)
+{
+    ix_obj *list = ix__obj_list(c->ctx);
+    ix_status st = list ? IX_OK : IX_ENOMEM;
+
+    for (int i = 0; st == IX_OK && i < q->nquads; i++)
+        st = add_patch(c, q, crv, i, follow, list);
+    return ix__ret_list(c, list, st);
+}
+
+static ix_status c2rectrgn(ix_call *c)
+{
+    ix_tile_opts o = {.angle = ix__arg_num(c, 1) * (acos(-1) / 180),
+                      .size = ix__arg_num(c, 3)};
+    const ix_mv **crv;
+    ix_quads q;
+    ix_status st;
+    int n, type;
+
+    IX_TRY(ix__arg_mvs(c, 0, IX_OBJ_CURVE, &n, &crv));
+    if (!(o.angle >= 0.01 && o.angle <= 3.1416))
+        return IX_ARG_FAIL(c, 1, "%g degrees; 1 to 180 are possible",
+                           ix__arg_num(c, 1));
+    IX_TRY(ix__arg_int(c, 2, 1, 3, &type));
+    if (!(o.size > 0))
+        return IX_ARG_FAIL(c, 3, "sides of %g; it must be positive", o.size);
+    IX_TRY(ix__arg_int(c, 4, 0, 1000, &o.smooth));
+    IX_TRY(ix_region_quads(c->ctx, n, crv, &o, &q));
+    st = type == 1 ? ret_polygons(c, &q) : ret_patches(c, &q, crv, type == 3);
+    ix_quads_free(c->ctx, &q);
+    return st;
+}
+
 /* --- table ------------------------------------------------------------- */
 
 #define TRI "point(0,0,0), point(3,0,0), point(0,2,0)"
@@ -418,4 +522,14 @@ const ix_builtin ix__builtins_planar[] = {
      "ptregister(l, list(point(0.1,0,0), point(1.1,0,0), point(0.1,2,0), "
      "point(0.1,0,3)), 20, 1e-12);",
      ptregister, 0, 24},
+    {"C2RECTRGN",
+     "crvs:list angDev:num outType:num size:num smooth:num -> poly|list",
+     "The region that an odd number of closed planar curves enclose, as "
+     "quadrilaterals that share whole sides of about size; a curve turns by at "
+     "most angDev degrees along two of them. outType 1: polygons, 2: bilinear "
+     "surfaces, 3: surfaces whose outer sides are the curves themselves. "
+     "smooth: "
+     "rounds in which inner points move to the mean of their neighbours.",
+     "c = circle(vector(0,0,0), 1); o = c2rectrgn(list(c), 30, 1, 0.3, 5);",
+     c2rectrgn, 0, 9},
     {0}};
