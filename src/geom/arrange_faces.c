@@ -244,28 +244,46 @@ static void swept(void *arg, double u, double *f)
     f[1] = h / 2 * (d[0][0] * d[1][1] - d[0][1] * d[1][0]);
 }
 
+static double triangle(const double *o, const double *a, const double *b)
+{
+    return ((a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])) / 2;
+}
+
+/* What can be asked of the quadrature of a span: derivatives of one far shorter
+ * than its distance from the origin are known to that ratio of rounding only.
+ */
+static double accuracy(const ix_path *p, int span)
+{
+    double a = p->breaks[span], b = p->breaks[span + 1], size = 0;
+    double x[3][IX_MAX_COORDS];
+
+    for (int k = 0; k < 3; k++)
+        ix__path_point(p, a + (b - a) * k / 2, x[k]);
+    for (int k = 1; k < 3; k++)
+        size = fmax(size, hypot(x[k][0] - x[0][0], x[k][1] - x[0][1]));
+    return 1e-12 + 1e-14 * hypot(x[0][0], x[0][1]) / fmax(size, 1e-300);
+}
+
 /* Area that the ray from `at` along edge e sweeps, chords to its vertices
- * included. */
+ * included. What is beside the chord of the edge is measured from its start. */
 static ix_status edge_area(const faces *w, int e, const double at[2],
                            double *out)
 {
-    sweep s = {.at = {at[0], at[1]}};
+    const double *v[2] = {w->p[w->vertex[2 * e]], w->p[w->vertex[2 * e + 1]]};
     double x[2][IX_MAX_COORDS], f[2];
+    sweep s = {.span = 0};
     ix_path p;
 
-    *out = 0;
     IX_TRY(ix__path_new(w->ctx, w->a->edge[e].crv, &p));
-    s.p = &p;
-    for (s.span = 0; s.span < p.nspans; s.span++) {
-        ix__quad(swept, &s, 2, 0, 1, 1e-12, f);
-        *out += f[1];
-    }
-    for (int k = 0; k < 2; k++) {
-        const double *v = w->p[w->vertex[2 * e + k]];
-
+    for (int k = 0; k < 2; k++)
         ix__path_point(&p, p.breaks[k ? p.nspans : 0], x[k]);
-        *out += (k ? 0.5 : -0.5) * ((x[k][0] - at[0]) * (v[1] - at[1]) -
-                                    (x[k][1] - at[1]) * (v[0] - at[0]));
+    s.p = &p;
+    memcpy(s.at, x[0], sizeof s.at);
+    *out = triangle(at, v[0], x[0]) + triangle(at, x[0], x[1]) +
+           triangle(at, x[1], v[1]);
+    for (; s.span < p.nspans; s.span++) {
+        ix__quad(swept, &s, 2, 0, 1, accuracy(&p, s.span), f);
+        *out += f[1];
     }
     return IX_OK;
 }

@@ -207,6 +207,32 @@ static void a_lens(void **state)
     gt_end(&t);
 }
 
+/* Circles that nearly touch, far from the origin, one of them cut beside a
+ * knot: edges and spans of 3e-5 and less, whose derivatives are known to few
+ * digits, are measured in no time. */
+static void slivers(void **state)
+{
+    const double gap[3] = {1e-9, 1e-11, 1e-12};
+    gt t = gt_begin(8);
+
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        const double c[2][3] = {{5, 7, 1}, {7 - gap[k], 7, 1}};
+        const double in[2] = {5, 7}, beside = 1 + gap[k];
+        ix_arrangement *a = circles(&t, 2, c);
+        int f;
+
+        ASSERT_OK(t.ctx, ix_arrangement_split(t.ctx, a, 0, 1, &beside, 0));
+        assert_int_equal(a->nedges, 3);
+        ASSERT_OK(t.ctx, ix_arrangement_split_meetings(t.ctx, a, 1e-8));
+        ASSERT_OK(t.ctx, ix_arrangement_classify(t.ctx, a));
+        ASSERT_OK(t.ctx, ix_arrangement_locate(t.ctx, a, in, &f));
+        ASSERT_CLOSE(a->face[f].area, PI, 1e-9);
+        ix_arrangement_free(t.ctx, a);
+    }
+    gt_end(&t);
+}
+
 /* Touching circles: tangent curves leave their vertex in the right order. Rings
  * in rings: holes and parents. */
 static void touching_and_nested(void **state)
@@ -454,6 +480,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_arrangements),
         cmocka_unit_test(a_lens),
+        cmocka_unit_test(slivers),
         cmocka_unit_test(touching_and_nested),
         cmocka_unit_test(copies_and_overlaps),
         cmocka_unit_test(merged_and_fitted),
