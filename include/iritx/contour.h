@@ -90,8 +90,9 @@ void ix_view_regions_free(ix_ctx *ctx, ix_view_regions *r);
  *              further while normals of a cell spread by more than angle / 3
  *       angle  0.001 to a right angle (radians)
  *       tol    of the borders, as in ix_curves_opts
- * Out   *out   by direction; where an edge of the surface is one point every
- *              patch has regions of its own
+ * Out   *out   by direction; where an edge of the surface is one point, or its
+ *              field of normals jumps at knots (rational surfaces), every patch
+ *              has regions of its own
  * Err   IX_EARG    not a surface in space, power basis, cells, angle
  *       IX_EDOMAIN a patch without normals
  *       IX_EUNABLE more than 2000 directions or 20000 cells are needed; as

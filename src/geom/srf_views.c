@@ -4,8 +4,9 @@
  * The domain is cut into cells until the normals of each fit a narrow cone, by
  * bounds; then directions are chosen, each time the one that takes in the most
  * cells left, until there are none: so nothing is left out between samples.
- * Where a whole edge is one point the field of normals vanishes along it: then
- * the surface is treated patch by patch, with that factor divided out. */
+ * Where a whole edge is one point the field of normals vanishes along it, and
+ * at knots of a rational surface it jumps in its length: then the surface is
+ * treated patch by patch, with factors that vanish along edges divided out. */
 #include <math.h>
 #include <string.h>
 
@@ -135,6 +136,23 @@ static ix_status strip_all(ix_ctx *ctx, ix_mv **f)
     return IX_OK;
 }
 
+/* Does the field jump at a knot? That of a rational surface does, in its length
+ * where its direction is continuous. */
+static bool has_jumps(const ix_mv *f)
+{
+    for (int d = 0; d < 2; d++) {
+        const ix_dir *p = &f->dirs[d];
+        int run = 1;
+
+        for (int i = p->order; p->basis == IX_BSPLINE && i < p->length; i++) {
+            run = p->knots[i] > p->knots[i - 1] ? 1 : run + 1;
+            if (run >= p->order)
+                return true;
+        }
+    }
+    return false;
+}
+
 static ix_status make_patches(cover *w, const ix_mv *f)
 {
     ix_mv_pieces p;
@@ -158,16 +176,17 @@ static ix_status make_patches(cover *w, const ix_mv *f)
     return st;
 }
 
-/* The whole, or its patches if there are poles. Takes over f. */
+/* The whole, or its patches if there are poles or jumps. Takes over f. */
 static ix_status make_parts(cover *w, ix_mv *f)
 {
-    bool poles = false;
     ix_status st;
     ix_mv *open;
+    bool poles;
 
     st = ix_mv_to_open(w->ctx, f, &open);
     ix_mv_unref(w->ctx, f);
     IX_TRY(st);
+    poles = has_jumps(open);
     for (int side = 0; side < 4; side++)
         poles = poles || layer_vanishes(open, side / 2, side % 2);
     if (poles) {

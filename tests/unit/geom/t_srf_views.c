@@ -167,6 +167,42 @@ static void a_pole(void **state)
     gt_end(&t);
 }
 
+/* A rational tube whose normals jump in length at knots of u. */
+static void a_tube(void **state)
+{
+    const double w = 0.70710678118654752, ku[8] = {0, 0, 0, 1, 1, 2, 2, 2};
+    const double x[5] = {1, 1, 0, -1, -1}, y[5] = {0, 1, 1, 1, 0};
+    const ix_dir d[2] = {{IX_BSPLINE, 3, 5, false, ku},
+                         {.basis = IX_BSPLINE,
+                          .order = 2,
+                          .length = 2,
+                          .knots = (double[]){0, 0, 1, 1}}};
+    double p[40];
+    gt t = gt_begin(4);
+    ix_view_regions r;
+    ix_mv *s;
+
+    (void)state;
+    for (int i = 0; i < 10; i++) {
+        double wt = i % 5 % 2 ? w : 1;
+
+        p[i] = wt;
+        p[i + 10] = wt * x[i % 5] * (i < 5 ? 1 : 1.5);
+        p[i + 20] = wt * y[i % 5] * (i < 5 ? 1 : 1.5);
+        p[i + 30] = wt * (i < 5 ? 0 : 2);
+    }
+    ASSERT_OK(t.ctx, ix_mv_new(t.ctx, 2, d, 3, true, p, &s));
+    for (int k = 0; k < 3; k++) {
+        double angle = k == 2 ? acos(0) : 0.4 + 0.4 * k;
+
+        ASSERT_OK(t.ctx, ix_srf_view_regions(t.ctx, s, 4, angle, 1e-3, &r));
+        assert_true(check_regions(&t, s, angle, &r) > 50);
+        ix_view_regions_free(t.ctx, &r);
+    }
+    ix_mv_unref(t.ctx, s);
+    gt_end(&t);
+}
+
 static void errors(void **state)
 {
     const double line[4] = {0, 1, 0, 1},
@@ -226,9 +262,8 @@ static void memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_surfaces),
-        cmocka_unit_test(a_pole),
-        cmocka_unit_test(errors),
+        cmocka_unit_test(random_surfaces), cmocka_unit_test(a_pole),
+        cmocka_unit_test(a_tube),          cmocka_unit_test(errors),
         cmocka_unit_test(memory),
     };
 
