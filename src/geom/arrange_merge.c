@@ -134,7 +134,8 @@ static ix_status merge(ix_ctx *ctx, ix_arrangement *a, double angle)
 ix_status ix_arrangement_merge(ix_ctx *ctx, ix_arrangement *a, double angle)
 {
     if (!(angle >= 0))
-        return IX_FAIL(ctx, IX_EARG, "an angle of %g", angle);
+        return IX_FAIL(ctx, IX_EARG, "an angle of %g; it must not be negative",
+                       angle);
     IX_RETURN_SCOPED(ctx, merge(ctx, a, angle));
 }
 

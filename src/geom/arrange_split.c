@@ -77,7 +77,8 @@ static ix_status corners(ix_ctx *ctx, ix_arrangement *a, double angle)
     ix__marks *m;
 
     if (!(angle >= 0))
-        return IX_FAIL(ctx, IX_EARG, "an angle of %g", angle);
+        return IX_FAIL(ctx, IX_EARG, "an angle of %g; it must not be negative",
+                       angle);
     IX_TRY(marks_of(ctx, a, &m));
     for (int i = 0; i < a->nedges; i++)
         IX_TRY(ix__marks_add_corners(&m[i], angle));

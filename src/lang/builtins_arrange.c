@@ -86,8 +86,16 @@ static ix_status gather_borders(gathered *g, const ix_mv *s)
     return IX_OK;
 }
 
-static ix_status gather_object(gathered *g, const ix_obj *o, int number)
+#define NESTED 16 /* lists in lists */
+
+static ix_status gather_object(gathered *g, const ix_obj *o, int number,
+                               int depth)
 {
+    if (o->type == IX_OBJ_LIST && depth < NESTED) {
+        for (int i = 0; i < o->u.list.n; i++)
+            IX_TRY(gather_object(g, o->u.list.item[i], i + 1, depth + 1));
+        return IX_OK;
+    }
     if (o->type == IX_OBJ_POLY) {
         for (int i = 0; (g->mask & 2) && i < o->u.poly->n; i++)
             IX_TRY(gather_polygon(g, &o->u.poly->poly[i]));
@@ -104,17 +112,6 @@ static ix_status gather_object(gathered *g, const ix_obj *o, int number)
         if (o->type == IX_OBJ_SURFACE && (g->mask & 4))
             IX_TRY(gather_borders(g, o->u.mvs->mv[i]));
     }
-    return IX_OK;
-}
-
-static ix_status gather_all(gathered *g)
-{
-    const ix_obj *o = g->c->argv[0];
-
-    if (o->type != IX_OBJ_LIST)
-        return gather_object(g, o, 1);
-    for (int i = 0; i < o->u.list.n; i++)
-        IX_TRY(gather_object(g, o->u.list.item[i], i + 1));
     return IX_OK;
 }
 
@@ -157,7 +154,7 @@ static ix_status create(job *j)
                            "mask %g; it is a sum of 1 (curves), 2 (polygons), "
                            "4 (borders of surfaces)",
                            j->num[3]);
-    st = gather_all(&g);
+    st = gather_object(&g, j->c->argv[0], 1, 0);
     if (st == IX_OK)
         st = lay_flat(&g, j->num[1], fabs(j->num[2]) >= 1e-5, back);
     if (st == IX_OK)
@@ -321,7 +318,7 @@ static int reached(const ix_arrangement *a)
 static ix_status report(job *j)
 {
     const ix_arrangement *a = j->k->a;
-    const double counts[5] = {a->nedges, reached(a), 0.5 * a->nhalf, a->nfaces,
+    const double counts[5] = {a->nedges, reached(a), a->nhalf / 2, a->nfaces,
                               a->ncomponents};
     int mask = (int)round(j->num[0]);
     ix_status st;
@@ -664,6 +661,7 @@ static ix_status find_kept(job *j, int op)
 static ix_status carngmnt2(ix_call *c)
 {
     job j = {.c = c};
+    ix_status st;
     int op, n;
 
     IX_TRY(ix__arg_int(c, 1, 1, 15, &op));
@@ -674,7 +672,10 @@ static ix_status carngmnt2(ix_call *c)
     if (op != SPLIT_NEAR)
         IX_TRY(ix__arg_nums(c, 2, &n, &j.num));
     IX_TRY(find_kept(&j, op));
-    IX_TRY(operation[op].run(&j));
+    st = operation[op].run(&j);
+    if (st == IX_EARG && !c->bad_arg)
+        c->bad_arg = 3; /* the arrangement itself has been looked up */
+    IX_TRY(st);
     return c->result ? IX_OK : ret_name(&j, j.k);
 }
 
