@@ -46,6 +46,7 @@ static void integrate(wire *w, double sum[10])
     }
 }
 
+/* crv is near the origin: far from it, x - center would lose its digits. */
 static ix_status moments(ix_ctx *ctx, const ix_mv *crv, double center[3],
                          double axis[3])
 {
@@ -78,12 +79,36 @@ static ix_status moments(ix_ctx *ctx, const ix_mv *crv, double center[3],
     return IX_OK;
 }
 
+/* crv with its start moved to the origin; new reference. */
+static ix_status to_origin(ix_ctx *ctx, const ix_mv *crv, double start[3],
+                           ix_mv **out)
+{
+    double mat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    double dom[2], x[IX_MAX_COORDS] = {0};
+
+    ix_mv_domain(crv, 0, dom);
+    IX_TRY(ix_mv_point(ctx, crv, dom, x));
+    for (int i = 0; i < 3; i++) {
+        start[i] = i < ix_mv_ncoords(crv) ? x[i] : 0;
+        mat[12 + i] = -start[i];
+    }
+    return ix_mv_transform(ctx, crv, mat, out);
+}
+
 ix_status ix_moments(ix_ctx *ctx, const ix_mv *crv, double center[3],
                      double axis[3])
 {
     ix_mark mk = ix__scratch_mark(ctx);
-    ix_status st = moments(ctx, crv, center, axis);
+    double start[3];
+    ix_mv *near;
+    ix_status st = to_origin(ctx, crv, start, &near);
 
+    if (st == IX_OK) {
+        st = moments(ctx, near, center, axis);
+        ix_mv_unref(ctx, near);
+    }
+    for (int i = 0; st == IX_OK && i < 3; i++)
+        center[i] += start[i];
     ix__scratch_release(ctx, mk);
     return st;
 }

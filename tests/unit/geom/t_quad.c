@@ -47,6 +47,25 @@ static void kinks_are_closed_in_upon(void **state)
     }
 }
 
+/* Noise of 1e-9, different at every t: as from far away. */
+static void noisy(void *arg, double t, double *f)
+{
+    (*(int *)arg)++;
+    f[0] = 1 + 1e-9 * sin(1e9 * t * t);
+}
+
+/* A tolerance below the noise ends, in bounded work, within the noise. */
+static void noise_ends(void **state)
+{
+    double out[1];
+    int calls = 0;
+
+    (void)state;
+    ix__quad(noisy, &calls, 1, 0, 1, 1e-13, out);
+    ASSERT_CLOSE(out[0], 1, 1e-9);
+    assert_true(calls < 1000000);
+}
+
 /* Law: A v = lambda v, the vectors orthonormal, the values falling. */
 static void eigenvectors(void **state)
 {
@@ -120,6 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gauss_is_exact),
         cmocka_unit_test(kinks_are_closed_in_upon),
+        cmocka_unit_test(noise_ends),
         cmocka_unit_test(eigenvectors),
         cmocka_unit_test(paths_follow_curves),
     };
