@@ -13,8 +13,8 @@ ix_status ix__check_circle(ix_ctx *ctx, const double center[3], double radius)
 {
     for (int i = 0; i < 3; i++)
         if (!isfinite(center[i]))
-            return IX_FAIL(ctx, IX_EARG, "center (%g, %g, %g)", center[0],
-                           center[1], center[2]);
+            return IX_FAIL(ctx, IX_EARG, "center (%g, %g, %g) is not finite",
+                           center[0], center[1], center[2]);
     if (!(radius > 0 && isfinite(radius)))
         return IX_FAIL(ctx, IX_EARG, "radius %g is not positive", radius);
     return IX_OK;

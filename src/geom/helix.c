@@ -66,7 +66,8 @@ static ix_status wind(ix_ctx *ctx, const winding *w, ix_mv **out)
 
     *out = NULL;
     if (!(w->loops > 0 && isfinite(w->loops)))
-        return IX_FAIL(ctx, IX_EARG, "%g loops", w->loops);
+        return IX_FAIL(ctx, IX_EARG, "%g loops; a positive number is wanted",
+                       w->loops);
     if (!(points >= 4 && points <= w->samples && w->samples <= most))
         return IX_FAIL(ctx, IX_EARG,
                        "%g control points from %d samples: want 4 .. samples "

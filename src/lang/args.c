@@ -93,18 +93,24 @@ const ix_mv *ix__arg_mv(const ix_call *c, int i)
  * ----------------------------------------------------------------------------
  */
 
+ix_status ix__wrong_element(ix_call *c, int i, int k, const ix_obj *o,
+                            const char *want)
+{
+    char buf[64];
+
+    return IX_ARG_FAIL(c, i, "element %d must be %s, got %s", k + 1, want,
+                       ix__types_text(1u << o->type, buf, sizeof buf));
+}
+
 ix_status ix__arg_nums(ix_call *c, int i, int *n, double **out)
 {
     const ix_list *l = &c->argv[i]->u.list;
-    char buf[64];
 
     *n = 0;
     IX_SCRATCH(c->ctx, *out, l->n);
     for (int k = 0; k < l->n; k++) {
         if (l->item[k]->type != IX_OBJ_NUMBER)
-            return IX_ARG_FAIL(
-                c, i, "element %d of the list must be a number, got %s", k + 1,
-                ix__types_text(1u << l->item[k]->type, buf, sizeof buf));
+            return ix__wrong_element(c, i, k, l->item[k], "a number");
         (*out)[k] = l->item[k]->u.num;
     }
     *n = l->n;
@@ -115,7 +121,6 @@ ix_status ix__arg_nums(ix_call *c, int i, int *n, double **out)
  * argument is blamed for a wrong one. */
 static ix_status common_type(ix_call *c, const ix_obj *list, ix_ctlpt *type)
 {
-    char buf[64];
     int blame = 0;
 
     while (blame < c->argc - 1 && c->argv[blame]->type != IX_OBJ_LIST)
@@ -129,10 +134,8 @@ static ix_status common_type(ix_call *c, const ix_obj *list, ix_ctlpt *type)
             n = o->u.ctlpt->ncoords;
             type->rational = type->rational || o->u.ctlpt->rational;
         } else if (o->type != IX_OBJ_POINT && o->type != IX_OBJ_VECTOR) {
-            return IX_ARG_FAIL(
-                c, blame,
-                "element %d must be a point, vector or control point, got %s",
-                k + 1, ix__types_text(1u << o->type, buf, sizeof buf));
+            return ix__wrong_element(c, blame, k, o,
+                                     "a point, vector or control point");
         }
         type->ncoords = n > type->ncoords ? n : type->ncoords;
     }

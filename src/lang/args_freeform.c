@@ -1,6 +1,7 @@
 /* args_freeform.c - arguments and results that freeform primitives share.
  * Everything here only takes lists apart and puts objects together. */
 #include "lang/args_freeform.h"
+#include "lang/types_impl.h"
 
 #include <limits.h>
 #include <math.h>
@@ -151,6 +152,7 @@ ix_status ix__arg_mvs(ix_call *c, int i, ix_obj_type type, int *n,
 {
     const ix_obj *list = c->argv[i];
     size_t total = 0;
+    char buf[64];
 
     for (int k = 0; k < list->u.list.n; k++) {
         const ix_obj *o = list->u.list.item[k];
@@ -158,8 +160,12 @@ ix_status ix__arg_mvs(ix_call *c, int i, ix_obj_type type, int *n,
         if (type == IX_OBJ_UNDEF && ix__obj_first_mv(o))
             type = o->type;
         if (o->type != type || !ix__obj_first_mv(o))
-            return IX_ARG_FAIL(c, i, "element %d is a %s", k + 1,
-                               ix__obj_type_name(o->type));
+            return ix__wrong_element(
+                c, i, k, o,
+                type == IX_OBJ_UNDEF
+                    ? "a curve, surface, trivariate or "
+                      "multivariate"
+                    : ix__types_text(1u << type, buf, sizeof buf));
         total += (size_t)o->u.mvs->n;
     }
     if (total > INT_MAX)

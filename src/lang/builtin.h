@@ -122,6 +122,11 @@ ix_status ix__arg_nums(ix_call *c, int i, int *n, double **out) IX_MUST_CHECK;
 ix_status ix__arg_points(ix_call *c, ix_obj *list, int *n, int *ncoords,
                          bool *rational, double **pts) IX_MUST_CHECK;
 
+/* Fails: "element K must be WANT, got ..." about the list of argument i, k
+ * 0-based. */
+ix_status ix__wrong_element(ix_call *c, int i, int k, const ix_obj *o,
+                            const char *want) IX_MUST_CHECK;
+
 /* Results: set c->result; return IX_ENOMEM if the box could not be made. */
 ix_status ix__ret(ix_call *c,
                   ix_obj *o) IX_MUST_CHECK; /* takes over; NULL: IX_ENOMEM */

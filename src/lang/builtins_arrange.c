@@ -102,10 +102,8 @@ static ix_status gather_object(gathered *g, const ix_obj *o, int number,
         return IX_OK;
     }
     if (o->type != IX_OBJ_CURVE && o->type != IX_OBJ_SURFACE)
-        return IX_ARG_FAIL(g->c, 0,
-                           "element %d is a %s; curves, polygons and surfaces "
-                           "are wanted",
-                           number, ix__obj_type_name(o->type));
+        return ix__wrong_element(g->c, 0, number - 1, o,
+                                 "a curve, polygon or surface");
     for (int i = 0; i < o->u.mvs->n; i++) {
         if (o->type == IX_OBJ_CURVE && (g->mask & 1))
             IX_TRY(gather(g, ix_mv_ref(o->u.mvs->mv[i])));
@@ -230,8 +228,7 @@ static ix_status split_near(job *j)
         const ix_obj *o = in->item[i];
 
         if (o->type != IX_OBJ_POINT && o->type != IX_OBJ_VECTOR)
-            return IX_ARG_FAIL(j->c, 2, "element %d is a %s, not a point",
-                               i + 1, ix__obj_type_name(o->type));
+            return ix__wrong_element(j->c, 2, i, o, "a point or vector");
         (void)ix__mat_point(o->u.pt, m, p[i]);
     }
     return ix_arrangement_split_near(j->c->ctx, j->k->a, in->n,

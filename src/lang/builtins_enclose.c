@@ -43,9 +43,7 @@ static ix_status point_list(ix_call *c, int *n, double (**out)[3])
         const ix_obj *o = l->item[*n];
 
         if (o->type != IX_OBJ_POINT && o->type != IX_OBJ_VECTOR)
-            return IX_ARG_FAIL(c, 0,
-                               "element %d is %s; points or vectors are wanted",
-                               *n + 1, ix__obj_type_name(o->type));
+            return ix__wrong_element(c, 0, *n, o, "a point or vector");
         memcpy(v[*n], o->u.pt, sizeof *v);
     }
     *out = v;

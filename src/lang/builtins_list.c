@@ -343,8 +343,8 @@ static ix_status set_ranges(ix_call *c, int s, ix__range *r, int *n)
         return IX_OK;
     }
     if (e->type != IX_OBJ_LIST)
-        return IX_ARG_FAIL(c, 0, "element %d is %s, no range", s + 1,
-                           ix__obj_type_name(e->type));
+        return ix__wrong_element(c, 0, s, e,
+                                 "a range list(a, b) or a list of ranges");
     for (int i = 0; i < e->u.list.n; i++, ++*n) {
         if (!is_range(e->u.list.item[i]))
             return IX_ARG_FAIL(c, 0,

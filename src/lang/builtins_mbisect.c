@@ -264,10 +264,7 @@ static ix_status point_coords(ix_call *c, int i, const ix_obj *o, int dim,
 
     if (o->type != IX_OBJ_CTLPT && o->type != IX_OBJ_POINT &&
         o->type != IX_OBJ_VECTOR)
-        return IX_ARG_FAIL(c, 0,
-                           "element %d is %s: points, curves and surfaces are "
-                           "needed",
-                           i + 1, ix__obj_type_name(o->type));
+        return ix__wrong_element(c, 0, i, o, "a point, curve or surface");
     if (n < dim)
         return IX_ARG_FAIL(c, 0, "element %d has %d coordinates: %d are needed",
                            i + 1, n, dim);

@@ -148,7 +148,8 @@ static ix_status beltcurve(ix_call *c)
     ix_status st;
 
     if (!(h >= 0))
-        return IX_ARG_FAIL(c, 1, "a thickness of %g", h);
+        return IX_ARG_FAIL(c, 1, "a thickness of %g; it must not be negative",
+                           h);
     IX_SCRATCH(c->ctx, p, n);
     for (int i = 0; i < n; i++) { /* the belt's middle */
         memcpy(p[i], in->poly[0].v[i].p, sizeof p[i]);
@@ -344,8 +345,7 @@ static ix_status arg_cloud(ix_call *c, int i, int *n, double (**out)[3])
         const ix_obj *o = l->item[k];
 
         if (o->type != IX_OBJ_POINT && o->type != IX_OBJ_VECTOR)
-            return IX_ARG_FAIL(c, i, "element %d is a %s, not a point", k + 1,
-                               ix__obj_type_name(o->type));
+            return ix__wrong_element(c, i, k, o, "a point or vector");
         memcpy((*out)[k], o->u.pt, sizeof(*out)[k]);
     }
     return IX_OK;

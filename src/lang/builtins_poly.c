@@ -110,8 +110,8 @@ static ix_status poly(ix_call *c)
         int n = vertices_of(l->item[i]);
 
         if (n < 0)
-            return IX_ARG_FAIL(c, 0, "element %d is a %s, not a point", i + 1,
-                               ix__obj_type_name(l->item[i]->type));
+            return ix__wrong_element(c, 0, i, l->item[i],
+                                     "a point, vector, control point or poly");
         total += (size_t)n;
     }
     if (total < (kind == IX_POLYGON ? 3 : 1) || total > INT_MAX)
@@ -163,8 +163,7 @@ static ix_status poly_list(ix_call *c, int *n, const ix_poly ***out)
     IX_SCRATCH(c->ctx, *out, l->n);
     for (int i = 0; i < l->n; i++) {
         if (l->item[i]->type != IX_OBJ_POLY)
-            return IX_ARG_FAIL(c, 0, "element %d is a %s, not a poly", i + 1,
-                               ix__obj_type_name(l->item[i]->type));
+            return ix__wrong_element(c, 0, i, l->item[i], "a poly");
         (*out)[i] = l->item[i]->u.poly;
     }
     *n = l->n;
@@ -389,8 +388,8 @@ static ix_status pts2plln(ix_call *c)
         const ix_obj *o = l->item[i];
 
         if (o->type == IX_OBJ_POLY || vertices_of(o) != 1)
-            return IX_ARG_FAIL(c, 0, "element %d is a %s, not a point", i + 1,
-                               ix__obj_type_name(o->type));
+            return ix__wrong_element(c, 0, i, o,
+                                     "a point, vector or control point");
         if (o->type == IX_OBJ_CTLPT)
             IX_TRY(ctlpt_place(c, i, o->u.ctlpt, 3, p + 3 * i));
         else

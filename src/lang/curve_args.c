@@ -67,8 +67,8 @@ static ix_status point3(ix_call *c, int i, int k, const ix_obj *o, double p[3])
         return IX_OK;
     }
     if (o->type != IX_OBJ_CTLPT)
-        return IX_ARG_FAIL(c, i, "element %d is a %s, not a point", k + 1,
-                           ix__obj_type_name(o->type));
+        return ix__wrong_element(c, i, k, o,
+                                 "a point, vector or control point");
     for (int a = 0; a < 3; a++) {
         const ix_ctlpt *q = o->u.ctlpt;
         double w = q->rational ? q->v[0] : 1;

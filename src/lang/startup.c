@@ -264,8 +264,7 @@ static ix_status ret_polys(ix_call *c, ix_poly_kind kind)
     IX_TRY(ix__leaves(c->ctx, c->argv[0], &n, &leaf));
     for (int i = 0; i < n; i++) {
         if (leaf[i]->type != IX_OBJ_POLY)
-            return IX_ARG_FAIL(c, 0, "element %d is %s, no poly", i + 1,
-                               ix__obj_type_name(leaf[i]->type));
+            return ix__wrong_element(c, 0, i, leaf[i], "a poly");
         total += leaf[i]->u.poly->n;
     }
     p = ix__poly_new(c->ctx, total);

@@ -115,7 +115,8 @@ static ix_status set_knots(ix_ctx *ctx, const ix_mv *m, int dir, int nknots,
     double *kv;
 
     if (nknots != ix_knots_count(&nd))
-        return IX_FAIL(ctx, IX_EARG, "%d knots for %d in direction %d", nknots,
+        return IX_FAIL(ctx, IX_EARG,
+                       "%d knots instead of the %d of direction %d", nknots,
                        ix_knots_count(&nd), dir);
     nd.knots = knots;
     IX_TRY(ix__mv_check_dirs(ctx, 1, &nd, 1));
@@ -192,7 +193,10 @@ ix_status ix_mv_reparam(ix_ctx *ctx, const ix_mv *m, int dir, double t0,
     *out = NULL;
     IX_TRY(ix__mv_check_dir(ctx, m, dir));
     if (!(t0 < t1) || !isfinite(t1 - t0))
-        return IX_FAIL(ctx, IX_EARG, "domain [%.17g, %.17g]", t0, t1);
+        return IX_FAIL(
+            ctx, IX_EARG,
+            "domain [%.17g, %.17g]: the lower end must be below the upper", t0,
+            t1);
     IX_TRY(ix_mv_to_bspline(ctx, m, &cur));
     IX_TRY(ix__mv_step(ctx, &cur, &next,
                        reparam_scoped(ctx, cur, dir, to, &next)));

@@ -368,7 +368,7 @@ static ix_status check_input(ix_ctx *ctx, const ix_mv *const *c, double alpha)
                            "a curve with at most 3 is needed",
                            i + 1, c[i]->ndirs, c[i]->ncoords);
     if (!isfinite(alpha))
-        return IX_FAIL(ctx, IX_EARG, "a ratio of %g", alpha);
+        return IX_FAIL(ctx, IX_EARG, "a ratio of %g; it must be finite", alpha);
     return IX_OK;
 }
 

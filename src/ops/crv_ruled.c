@@ -339,7 +339,9 @@ static ix_status check_input(ix_ctx *ctx, ix_ruled_kind kind,
         return IX_FAIL(ctx, IX_EARG, "ruled surface %d is not in 0 .. 4",
                        (int)kind);
     if (!isfinite(range[0]) || !isfinite(range[1]) || range[0] == range[1])
-        return IX_FAIL(ctx, IX_EARG, "a range of rulings from %g to %g",
+        return IX_FAIL(ctx, IX_EARG,
+                       "a range of rulings from %g to %g: two different finite "
+                       "numbers are wanted",
                        range[0], range[1]);
     return IX_OK;
 }

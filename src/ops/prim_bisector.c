@@ -537,19 +537,23 @@ static ix_status check_prim(ix_ctx *ctx, ix_prim *p)
         return IX_FAIL(ctx, IX_EARG, "primitive %d is not in 0 .. 6",
                        (int)p->kind);
     if (!isfinite(p->pos[0] + p->pos[1] + p->pos[2]))
-        return IX_FAIL(ctx, IX_EARG, "position (%g, %g, %g)", p->pos[0],
-                       p->pos[1], p->pos[2]);
+        return IX_FAIL(ctx, IX_EARG, "position (%g, %g, %g) is not finite",
+                       p->pos[0], p->pos[1], p->pos[2]);
     if (p->kind != IX_PRIM_POINT && p->kind != IX_PRIM_SPHERE)
         IX_TRY(ix__direction(ctx, "the direction", p->dir, p->dir));
     if (p->kind == IX_PRIM_LINE)
         p->radius = 0.0;
     if ((p->kind >= IX_PRIM_SPHERE && p->kind != IX_PRIM_CONE) &&
         (!(p->radius >= 0.0) || !isfinite(p->radius)))
-        return IX_FAIL(ctx, IX_EARG, "a radius of %g", p->radius);
+        return IX_FAIL(ctx, IX_EARG,
+                       "a radius of %g; it must be finite and not negative",
+                       p->radius);
     if (p->kind == IX_PRIM_TORUS && (!(p->major > 0.0) || !isfinite(p->major)))
-        return IX_FAIL(ctx, IX_EARG, "a major radius of %g", p->major);
+        return IX_FAIL(ctx, IX_EARG,
+                       "a major radius of %g; it must be positive", p->major);
     if (p->kind == IX_PRIM_CONE && !(p->degrees > 0.0 && p->degrees < 90.0))
-        return IX_FAIL(ctx, IX_EARG, "an angle of %g degrees is not in 0 .. 90",
+        return IX_FAIL(ctx, IX_EARG,
+                       "an angle of %g degrees is not between 0 and 90",
                        p->degrees);
     return IX_OK;
 }
@@ -576,7 +580,7 @@ ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
     *out = (ix_crvs){.n = 0};
     IX_TRY(ix__form_of_opts(ctx, o, &form));
     if (!(size > 0.0) || !isfinite(size))
-        return IX_FAIL(ctx, IX_EARG, "a size of %g", size);
+        return IX_FAIL(ctx, IX_EARG, "a size of %g; it must be positive", size);
     k.a = *a;
     k.b = *b;
     IX_TRY(check_prim(ctx, &k.a));

@@ -330,8 +330,10 @@ static ix_status prepare(ix_ctx *ctx, const ix_ruling *r, const ix_op_opts *o,
         return IX_FAIL(ctx, IX_EARG, "ruling %d is not 0 or 1", (int)k->r.kind);
     for (int i = 0; i < 2; i++)
         if (!isfinite(k->r.range[i]))
-            return IX_FAIL(ctx, IX_EARG, "a range of rulings from %g to %g",
-                           k->r.range[0], k->r.range[1]);
+            return IX_FAIL(
+                ctx, IX_EARG,
+                "a range of rulings from %g to %g: finite numbers are wanted",
+                k->r.range[0], k->r.range[1]);
     for (int i = 0; i < 3; i++)
         if (!isfinite(k->r.normal[i]))
             return IX_FAIL(ctx, IX_EARG, "coordinate %d of the normal is %g",
