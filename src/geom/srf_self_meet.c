@@ -12,6 +12,13 @@
 #include "solve/box.h"
 
 enum { CURVE_BOXES = 200000, POINT_BOXES = 20000 }; /* of one pair of patches */
+enum {
+    LESS = 20,      /* by which they are divided once a pair has used them up: a
+                       surface with a whole family of solutions, as spheres are */
+    WORK = 4000000, /* coefficients in all boxes of one pair: those of rational
+                       surfaces have thousands, and take as long */
+    LEAST_BOXES = 300 /* enough for what is not degenerate */
+};
 #define JOIN 1e-7 /* of the domain: ends of arcs that are one point */
 
 /* --- equations -------------------------------------------------------------
@@ -90,10 +97,25 @@ static ix_status collect(ix_ctx *ctx, arcs *s, const ix__srf_pair *p,
     return IX_OK;
 }
 
+/* How many boxes the equations of one pair may take. */
+static size_t budget(size_t most, bool complete, int n, const ix_equation *eq)
+{
+    size_t big = 1;
+
+    for (int i = 0; i < n; i++)
+        if (eq[i].f && eq[i].f->npts > big)
+            big = eq[i].f->npts;
+    if (most > WORK / big)
+        most = WORK / big;
+    if (!complete)
+        most /= LESS;
+    return most < LEAST_BOXES ? LEAST_BOXES : most;
+}
+
 static ix_status meet_pair(ix_ctx *ctx, void *arg, const ix__srf_pair *p)
 {
     arcs *s = arg;
-    ix_curves_opts o = {.tol = s->tol, .max_boxes = CURVE_BOXES};
+    ix_curves_opts o = {.tol = s->tol};
     ix_pool q = {.ctx = ctx};
     ix_solution_curves c;
     ix_equation eq[6];
@@ -107,6 +129,7 @@ static ix_status meet_pair(ix_ctx *ctx, void *arg, const ix__srf_pair *p)
                      "the surface lies in a plane: it covers itself");
     ask_vector(p->eq.off, eq, &n);
     o.checks = n - 3;
+    o.max_boxes = budget(CURVE_BOXES, s->complete, n, eq);
     if (st == IX_OK)
         st = ix_solve_curves(ctx, n, eq, &o, &c);
     ix__pool_free(&q);
@@ -405,7 +428,7 @@ static void antipodal_equations(ix_pool *q, const ix__srf_pair *p,
 
 static ix_status antipodal_pair(ix_ctx *ctx, void *arg, const ix__srf_pair *p)
 {
-    const ix_solve_opts o = {.max_boxes = POINT_BOXES};
+    ix_solve_opts o = {0};
     feet *f = arg;
     ix_pool q = {.ctx = ctx};
     ix_solutions s;
@@ -415,6 +438,7 @@ static ix_status antipodal_pair(ix_ctx *ctx, void *arg, const ix__srf_pair *p)
 
     antipodal_equations(&q, p, eq, &n);
     st = q.st;
+    o.max_boxes = budget(POINT_BOXES, f->complete, n, eq);
     if (st == IX_OK)
         st = ix_solve(ctx, n, eq, &o, &s);
     ix__pool_free(&q);
