@@ -150,6 +150,8 @@ typedef struct {
     const double *x; /* double[n][unknowns] */
     ix_curve_end start, end;
     int start_singular, end_singular; /* index into singular, or -1 */
+    int times; /* 1; 2 .. 4: the function (of 2 unknowns) vanishes along it as
+                  the power of another does */
 } ix_solution_curve;
 
 typedef struct {

@@ -71,14 +71,22 @@ static void point_at(const region *r, double pos, double in, double *x)
                          : r->dom[k][0] + t[k] * (r->dom[k][1] - r->dom[k][0]);
 }
 
-/* Is f positive beside the middle of the boundary from a to b? */
+/* Is f positive beside the boundary from a to b? It has one sign there, but may
+ * touch zero. */
 static ix_status wanted(const region *r, double a, double b, bool *out)
 {
-    double x[2], v[2];
+    static const double part[] = {0.5, 0.37, 0.71};
+    double x[2], v[2], most = 0;
 
-    point_at(r, (a + b) / 2, 1e-7, x);
-    IX_TRY(ix_mv_eval(r->ctx, r->f, x, v));
-    *out = v[r->f->rational] > 0;
+    for (int i = 0; i < 3; i++) {
+        double f;
+
+        point_at(r, a + part[i] * (b - a), 1e-7, x);
+        IX_TRY(ix_mv_eval(r->ctx, r->f, x, v));
+        f = v[r->f->rational];
+        most = fabs(f) > fabs(most) ? f : most;
+    }
+    *out = most > 0;
     return IX_OK;
 }
 
@@ -112,6 +120,12 @@ static bool on_side(const region *r, const ix_solution_curve *c)
     return false;
 }
 
+/* Whether f has different signs at the sides of c, inside the domain. */
+static bool separates(const region *r, const ix_solution_curve *c)
+{
+    return c->times % 2 == 1 && !on_side(r, c);
+}
+
 static ix_status load_ends(region *r)
 {
     int n = 0;
@@ -121,7 +135,7 @@ static ix_status load_ends(region *r)
         const ix_solution_curve *c = &r->s->curve[i];
 
         for (int e = 0; e < 2 && c->start != IX_END_CLOSED; e++)
-            if ((e ? c->end : c->start) == IX_END_BOUNDARY && !on_side(r, c))
+            if ((e ? c->end : c->start) == IX_END_BOUNDARY && separates(r, c))
                 r->at[n++] = position(r, end_of(c, e));
     }
     qsort(r->at, (size_t)n, sizeof *r->at, ascending);
@@ -168,7 +182,7 @@ static ix_status arcs(region *r)
         const ix_solution_curve *c = &r->s->curve[i];
         edge *e = &r->e[r->ne];
 
-        if (on_side(r, c))
+        if (!separates(r, c))
             continue;
         *e = (edge){.v = {-1, -1}, .n = c->n, .x = c->x};
         for (int k = 0; k < 2 && c->start != IX_END_CLOSED; k++)

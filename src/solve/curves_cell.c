@@ -23,8 +23,9 @@
 typedef struct ix__cells {
     ix__curves *s;
     ix__stack stack;
-    ix__box wide; /* the box in hand, enlarged beyond faces of its patch */
-    double *work, *face;
+    ix__box wide;  /* the box in hand, enlarged beyond faces of its patch */
+    ix__box twice; /* the box in hand, with an equation for a multiple curve */
+    double *work, *face, *strip;
 } search;
 
 /* A cell with parameter x_k: m is the inverse of the Jacobian in the others. */
@@ -81,7 +82,7 @@ ix_status ix__curves_add_arc(ix__curves *s, int first)
         if (!s->arc)
             return IX_ENOMEM;
     }
-    s->arc[s->narcs++] = (ix__arc){first, s->npts - first};
+    s->arc[s->narcs++] = (ix__arc){first, s->npts - first, 1};
     return IX_OK;
 }
 
@@ -599,14 +600,31 @@ static bool below_noise(const ix__curves *s, const ix__box *b)
     return false;
 }
 
+/* The arcs of a cell with the parameter of g; nothing unless *ok. */
+static ix_status try_arcs(search *q, graph *g, int times, bool *ok)
+{
+    ix__curves *s = q->s;
+    int arcs = s->narcs, pts = s->npts;
+
+    IX_TRY(cell_arcs(q, g, ok));
+    if (!*ok) {
+        s->narcs = arcs;
+        s->npts = pts;
+    }
+    for (int a = arcs; a < s->narcs; a++)
+        s->arc[a].times = times;
+    return IX_OK;
+}
+
 static ix_status examine(void *self)
 {
     search *q = self;
     ix__curves *s = q->s;
     ix__box *b = &q->stack.box[q->stack.top];
+    bool done = false;
     double len;
     graph g;
-    int j;
+    int j, times;
 
     s->t.boxes++;
     if (!ix__box_signs_allow(&s->t, b)) {
@@ -614,16 +632,15 @@ static ix_status examine(void *self)
         return IX_OK;
     }
     if (find_parameter(s, b, &g)) {
-        int arcs = s->narcs, pts = s->npts;
-        bool ok;
-
-        IX_TRY(cell_arcs(q, &g, &ok));
-        if (ok) {
-            q->stack.top--;
-            return IX_OK;
-        }
-        s->narcs = arcs;
-        s->npts = pts;
+        IX_TRY(try_arcs(q, &g, 1, &done));
+    } else if (s->n == 2) {
+        times = ix__curves_multiple(s, b, q->strip, &q->twice);
+        if (times && find_parameter(s, &q->twice, &g))
+            IX_TRY(try_arcs(q, &g, times, &done));
+    }
+    if (done) {
+        q->stack.top--;
+        return IX_OK;
     }
     j = ix__box_longest(&s->t, b, &len);
     if (len <= s->t.cell || q->stack.top + 1 >= IX__MAX_DEPTH ||
@@ -644,6 +661,8 @@ static ix_status make_search(ix__curves *s)
     IX_SCRATCH(s->t.ctx, q->work, 2 * s->t.shape.size);
     IX_SCRATCH(s->t.ctx, q->face, n);
     IX_SCRATCH(s->t.ctx, q->wide.c, n);
+    IX_SCRATCH(s->t.ctx, q->twice.c, n);
+    IX_SCRATCH(s->t.ctx, q->strip, 3 * s->t.shape.size);
     q->s = s;
     s->search = q;
     return IX_OK;

@@ -12,6 +12,7 @@ typedef struct {
 /* An arc inside one cell: points from end to end, in a growing array. */
 typedef struct {
     int first, n; /* in pts */
+    int times;    /* that the curve counts there */
 } ix__arc;
 
 typedef struct {
@@ -47,6 +48,12 @@ double ix__curves_image_sag(const ix__curves *s, const double *p,
 
 /* All arcs in the patch b. */
 ix_status ix__curves_patch(ix__curves *s, const ix__box *b) IX_MUST_CHECK;
+
+/* n = 2: if all zeros of the equation in the cell are on one curve that counts
+ * m = 2 .. 4 times, m, and out (with room for the tensor) is the cell with an
+ * equation that has this curve once; else 0. work: 3 times the shape's size. */
+int ix__curves_multiple(const ix__curves *s, const ix__box *b, double *work,
+                        ix__box *out);
 
 /* Joins arcs and hands the result over. */
 ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out) IX_MUST_CHECK;

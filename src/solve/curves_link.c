@@ -253,6 +253,75 @@ static bool absorb_ends(links *l)
     return grown;
 }
 
+/* --- curves that count several times
+ * ----------------------------------------------------------------------- */
+
+#define SHORT                                                              \
+    0x1p-6 /* of the domain: near a contact of order p of two branches, or \
+              a cusp, f is below rounding over 1e-15^(1/p), which looks    \
+              like a curve that counts twice: there the point is singular */
+
+typedef struct {
+    double lo[4], hi[4];
+} extent;
+
+static void widen(const ix__curves *s, int arc, extent *x)
+{
+    for (int i = 0; i < s->arc[arc].n; i++)
+        for (int j = 0; j < s->n; j++) {
+            double t = s->pts[s->arc[arc].first + i].x[j];
+
+            x->lo[j] = fmin(x->lo[j], t);
+            x->hi[j] = fmax(x->hi[j], t);
+        }
+}
+
+/* The chain of such arcs that begins with end e, outwards; marks them. */
+static void follow(const links *l, int e, bool *seen, extent *x)
+{
+    while (e >= 0 && l->s->arc[e / 2].times > 1 && !seen[e / 2]) {
+        seen[e / 2] = true;
+        widen(l->s, e / 2, x);
+        e = l->partner[e ^ 1];
+    }
+}
+
+/* Adds a singular box for chains that are short, whose arcs drop_inside then
+ * takes away. */
+static ix_status make_points(links *l, bool *any)
+{
+    ix__curves *s = l->s;
+    bool *seen;
+
+    *any = false;
+    IX_SCRATCH_ZERO(s->t.ctx, seen, s->narcs);
+    for (int a = 0; a < s->narcs; a++) {
+        ix_solution r = {.certified = false};
+        double longest = 0;
+        extent x;
+
+        if (seen[a] || s->arc[a].times < 2)
+            continue;
+        for (int j = 0; j < s->n; j++) {
+            x.lo[j] = HUGE_VAL;
+            x.hi[j] = -HUGE_VAL;
+        }
+        follow(l, 2 * a, seen, &x);
+        follow(l, l->partner[2 * a], seen, &x);
+        for (int j = 0; j < s->n; j++) {
+            r.lo[j] = x.lo[j];
+            r.hi[j] = x.hi[j];
+            r.x[j] = 0.5 * (x.lo[j] + x.hi[j]);
+            longest = fmax(longest, (x.hi[j] - x.lo[j]) / s->t.edge[j]);
+        }
+        if (longest < SHORT) {
+            IX_TRY(ix__found_add(&s->singular, &r));
+            *any = true;
+        }
+    }
+    return IX_OK;
+}
+
 #define MAX_GROWTH 20
 
 static ix_status make_links(ix__curves *s, links *l)
@@ -262,6 +331,8 @@ static ix_status make_links(ix__curves *s, links *l)
     IX_SCRATCH(s->t.ctx, l->partner, l->nends);
     IX_SCRATCH(s->t.ctx, l->single, l->nends);
     for (int round = 0; round < MAX_GROWTH; round++) {
+        bool any;
+
         IX_TRY(ix__found_merge(&s->singular, s->n, s->t.edge));
         drop_inside(s);
         l->nends = 2 * s->narcs;
@@ -272,7 +343,8 @@ static ix_status make_links(ix__curves *s, links *l)
         for (int e = 0; e < l->nends; e++)
             l->partner[e] = -1;
         find_partners(l);
-        if (!absorb_ends(l))
+        IX_TRY(make_points(l, &any));
+        if (!any && !absorb_ends(l))
             break;
     }
     for (int e = 0; e < l->nends; e++)
@@ -324,6 +396,8 @@ static void put_curve(writer *w, const links *l, int e)
     for (int a = e; a >= 0 && !w->used[a / 2]; a = l->partner[a ^ 1]) {
         w->used[a / 2] = true;
         put_arc(w, s, a, c->n > 0, c);
+        c->times = s->arc[a / 2].times > c->times ? s->arc[a / 2].times
+                                                  : c->times;
         last = a ^ 1;
     }
     c->end = l->partner[last] < 0 ? kind_of_end(l, last) : IX_END_CLOSED;

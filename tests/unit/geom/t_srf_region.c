@@ -95,6 +95,32 @@ static void a_node(void **state)
     gt_end(&t);
 }
 
+/* (u - 1/2)^2 (v - 1/3): zero along u = 1/2 too, where no region ends. */
+static void an_even_line(void **state)
+{
+    double p[6];
+    const ix_dir d[2] = {{.basis = IX_BEZIER, .order = 3, .length = 3},
+                         {.basis = IX_BEZIER, .order = 2, .length = 2}};
+    gt t = gt_begin(7);
+    ix_lines l;
+    ix_mv *f;
+
+    (void)state;
+    for (int i = 0; i < 6; i++)
+        p[i] = (i % 3 == 1 ? -0.25 : 0.25) * (i / 3 ? 2 / 3.0 : -1 / 3.0);
+    ASSERT_OK(t.ctx, ix_mv_new(t.ctx, 2, d, 1, false, p, &f));
+    ASSERT_OK(t.ctx, ix_positive_region(t.ctx, f, 1e-3, &l));
+    for (int i = 0; i < 100; i++) {
+        double x[2] = {ix_rng_unit(&t.r), ix_rng_unit(&t.r)};
+        bool near, in = inside(&l, x, 3e-3, &near);
+
+        assert_true(near || in == (x[1] > 1 / 3.0));
+    }
+    ix_lines_free(t.ctx, &l);
+    ix_mv_unref(t.ctx, f);
+    gt_end(&t);
+}
+
 /* Everywhere, and nowhere. */
 static void all_or_nothing(void **state)
 {
@@ -200,6 +226,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parity_is_the_sign),
         cmocka_unit_test(a_node),
+        cmocka_unit_test(an_even_line),
         cmocka_unit_test(all_or_nothing),
         cmocka_unit_test(isocline_fields),
         cmocka_unit_test(errors),

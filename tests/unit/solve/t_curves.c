@@ -503,16 +503,80 @@ static void errors(void **state)
         ix_mv_unref(ctx, m[i]);
 }
 
-/* A component that counts twice, and surfaces that touch along a curve: said
- * soon, the curve is in the singular boxes. */
+/* Powers of functions: the number of curves by how often they count, and of
+ * points where they meet others. Vertices are zeros of what is raised to a
+ * power, to the accuracy that its square leaves. */
+static void powers(void **state)
+{
+    static const struct {
+        const char *eq, *factor[2];
+        int times[2]; /* of the factors */
+        int curves[2], points;
+    } cases[] = {
+        {"(x^2 + y^2 - 1)^2", {"x^2 + y^2 - 1", NULL}, {2, 0}, {1, 0}, 0},
+        {"(x^2 + y^2 - 1)^3", {"x^2 + y^2 - 1", NULL}, {3, 0}, {1, 0}, 0},
+        {"(x^2 - y)^4", {"x^2 - y", NULL}, {4, 0}, {1, 0}, 0},
+        {"(x - y)^2", {"x - y", NULL}, {2, 0}, {1, 0}, 0},
+        {"(x^2 + y^2 - 1)^2*(x - 0.3)",
+         {"x^2 + y^2 - 1", "x - 0.3"},
+         {2, 1},
+         {2, 3},
+         2},
+        {"(x*y - 0.1)^2*(x + y - 0.2)^3",
+         {"x*y - 0.1", "x + y - 0.2"},
+         {2, 3},
+         {2, 1},
+         0},
+        /* contacts, a cusp and a point are none of it */
+        {"y^2 - x^4", {"y - x^2", "y + x^2"}, {1, 1}, {2, 2}, 1},
+        {"y^2 - x^6", {"y - x^3", "y + x^3"}, {1, 1}, {2, 2}, 1},
+        {"(x^2 + y^2)^2", {"x^2 + y^2", NULL}, {2, 0}, {0, 0}, 1}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *eq[1] = {cases[i].eq};
+        int found[2] = {0, 0};
+        ix_solution_curves s;
+        double box[6][2];
+
+        fill(box, -1.2, 1.3);
+        s = trace_text(2, 1, eq, box, NULL);
+        print_message("# %s: %zu cells\n", eq[0], s.boxes);
+        assert_true(s.complete);
+        assert_int_equal(s.nsingular, cases[i].points);
+        for (int k = 0; k < s.ncurves; k++) {
+            const ix_solution_curve *c = &s.curve[k];
+            double x[2], value[2];
+            int f;
+
+            assert_true(c->start != IX_END_OPEN && c->end != IX_END_OPEN);
+            vertex(box, 2, c->x + 2 * (c->n / 2), x);
+            for (f = 0; f < 2; f++)
+                value[f] = cases[i].factor[f]
+                               ? fabs(st_value(cases[i].factor[f], x))
+                               : HUGE_VAL;
+            f = value[1] < value[0];
+            found[f]++;
+            assert_int_equal(c->times, cases[i].times[f]);
+            for (int v = 0; v < c->n; v++) {
+                vertex(box, 2, c->x + 2 * v, x);
+                assert_true(fabs(st_value(cases[i].factor[f], x)) < 1e-9);
+            }
+        }
+        assert_int_equal(found[0], cases[i].curves[0]);
+        assert_int_equal(found[1], cases[i].curves[1]);
+        ix_solution_curves_free(ctx, &s);
+    }
+}
+
+/* Surfaces that touch along a curve, in more unknowns: said soon, the curve is
+ * in the singular boxes. */
 static void multiple_components(void **state)
 {
     static const struct {
         int n;
         const char *eq[2];
-    } cases[] = {{2, {"(x^2 + y^2 - 1)^2"}},
-                 {2, {"(x^2 + y^2 - 1)^2*(x - 0.3)"}},
-                 {3, {"x^2 + y^2 - 1", "x^2 + y^2 + z^2 - 1"}},
+    } cases[] = {{3, {"x^2 + y^2 - 1", "x^2 + y^2 + z^2 - 1"}},
                  {3, {"x^2 + y^2 + z - 1", "(x^2 + y^2 + z - 1)*y"}}};
 
     (void)state;
@@ -555,6 +619,7 @@ int main(void)
                                        cmocka_unit_test(more_unknowns),
                                        cmocka_unit_test(boundary_roots),
                                        cmocka_unit_test(errors),
+                                       cmocka_unit_test(powers),
                                        cmocka_unit_test(multiple_components)};
 
     return cmocka_run_group_tests(tests, setup, teardown);
