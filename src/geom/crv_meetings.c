@@ -182,7 +182,8 @@ static void add(search *q, const ix_meeting *m)
 /* u: the middles of two pieces. */
 static void try_pair(search *q, double *work, const double *middle)
 {
-    double u[2] = {middle[0], middle[1]}, d[2][3], x[3], unit[2][3];
+    double u[2] = {middle[0], middle[1]}, d[2][3] = {{0}}, x[3],
+           unit[2][3] = {{0}};
     ix_meeting m = {.sine = 0};
 
     q->tries++;

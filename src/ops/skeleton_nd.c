@@ -337,11 +337,12 @@ static void sort(task *k, const ix_mv *const *m, const double *q)
 
 static ix_status run(ix_ctx *ctx, task *k, ix_centre **out, bool *complete)
 {
+    const double none = 0.0;
     feet *all;
 
     if (k->points == k->n) {
         IX_TRY(room(ctx, k, 1, &all));
-        IX_TRY(add(ctx, k, NULL, all));
+        IX_TRY(add(ctx, k, &none, all));
     } else {
         IX_TRY(ix__contacts_of(ctx, k->n, k->m, k->q, k->dim, &k->c));
         IX_TRY(solve(ctx, k, complete));

@@ -104,8 +104,8 @@ static void add_plane(const double *d, const double *at, double (*r)[3],
 static ix_status centre_at(ix_ctx *ctx, const task *t, const ix_contacts *c,
                            const double *x, double p[3], bool *ok)
 {
-    double foot[3][3], d[3][2][3] = {{{0}}}, r[9][3], h[9], e[3], mid[3],
-                       dist[3];
+    double foot[3][3], d[3][2][3] = {{{0}}}, r[9][3] = {{0}}, h[9];
+    double e[3], mid[3], dist[3];
     int n = 0;
 
     *ok = true;
@@ -203,8 +203,8 @@ static ix_status store(ix_ctx *ctx, const ix__trace *t, ix_lines *out)
 /* The line of three points' circles, from one side of the box to the other. */
 static ix_status three_points(ix_ctx *ctx, const task *k, ix__trace *t)
 {
-    double r[2][3], h[2], e[3], mid[3], u[3], p[3],
-        lo = -HUGE_VAL, hi = HUGE_VAL, rows[3][3], at[3];
+    double r[2][3] = {{0}}, h[2], e[3], mid[3], u[3], p[3], lo = -HUGE_VAL,
+           hi = HUGE_VAL, rows[3][3], at[3];
 
     for (int i = 0; i < 2; i++) {
         ix__sub3(k->q[i + 1], k->q[0], e);
