@@ -5,6 +5,9 @@
 
 #include "mv/mv.h"
 
+/* Err IX_EARG unless s is a surface of three coordinates. */
+ix_status ix__check_space_surface(ix_ctx *ctx, const ix_mv *s) IX_MUST_CHECK;
+
 /* A cone that holds all its directions, as ix_srf_normal_cone. Err IX_EDOMAIN
  * it vanishes. */
 ix_status ix__normals_cone(ix_ctx *ctx, const ix_mv *field, double axis[3],

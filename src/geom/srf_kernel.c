@@ -11,6 +11,7 @@
 
 #include "bsp/spans.h"
 #include "geom/lines.h"
+#include "geom/normals.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
 #include "iritx/kernel.h"
@@ -250,8 +251,8 @@ static ix_status grid(ix_ctx *ctx, const ix_mv *m, const int n[2],
 }
 
 /* Points, unit normals (0 where there is none), and the sum of the volumes of
- * cones from the first point over the samples: its sign tells whether S_u x S_v
- * leads out of a closed surface. */
+ * cones from the first point over the samples: its sign tells whether the
+ * normal leads out of a closed surface. */
 static ix_status sample(kernel *w, const ix_mv *s, const ix_mv *field,
                         int steps, double shift, double *volume)
 {
@@ -354,12 +355,7 @@ ix_status ix_srf_kernel(ix_ctx *ctx, const ix_mv *srf, int samples, int skip,
 
     *out = (ix_lines){0};
     *error = 0;
-    if (srf->ndirs != 2 || srf->ncoords != 3)
-        return IX_FAIL(
-            ctx, IX_EARG,
-            "%d directions and %d coordinates; a surface in space is "
-            "wanted",
-            srf->ndirs, srf->ncoords);
+    IX_TRY(ix__check_space_surface(ctx, srf));
     if (samples < 1 || samples > 1000 || skip < 1)
         return IX_FAIL(ctx, IX_EARG,
                        "%d samples, every one of %d first; 1 to 1000 and a "

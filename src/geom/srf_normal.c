@@ -216,6 +216,16 @@ static ix_status cone_of(ix_ctx *ctx, const ix_mv *field, double axis[3],
     return IX_OK;
 }
 
+ix_status ix__check_space_surface(ix_ctx *ctx, const ix_mv *s)
+{
+    if (s->ndirs != 2 || s->ncoords != 3)
+        return IX_FAIL(ctx, IX_EARG,
+                       "%d directions in %d coordinates: a surface in space is "
+                       "needed",
+                       s->ndirs, s->ncoords);
+    return IX_OK;
+}
+
 ix_status ix__normals_cone(ix_ctx *ctx, const ix_mv *field, double axis[3],
                            double *half_angle)
 {

@@ -448,12 +448,7 @@ ix_status ix_srf_view_regions(ix_ctx *ctx, const ix_mv *srf, int cells,
     ix_status st;
 
     *out = (ix_view_regions){0};
-    if (srf->ndirs != 2 || srf->ncoords != 3)
-        return IX_FAIL(
-            ctx, IX_EARG,
-            "%d directions and %d coordinates; a surface in space is "
-            "wanted",
-            srf->ndirs, srf->ncoords);
+    IX_TRY(ix__check_space_surface(ctx, srf));
     if (cells < 1 || cells > 100 || !(angle >= 1e-3 && angle <= 1.5707964))
         return IX_FAIL(ctx, IX_EARG,
                        "%d cells, cones of %g radians; 1 to 100, 0.001 to a "

@@ -6,6 +6,7 @@
 
 #include "bsp/knots.h"
 #include "geom/gauss.h"
+#include "geom/normals.h"
 #include "geom/parts.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
@@ -13,11 +14,7 @@
 
 static ix_status check(ix_ctx *ctx, const ix_mv *s, const ix_volume *v)
 {
-    if (s->ndirs != 2 || s->ncoords != 3)
-        return IX_FAIL(ctx, IX_EARG,
-                       "%d directions in %d coordinates: a surface in space is "
-                       "needed",
-                       s->ndirs, s->ncoords);
+    IX_TRY(ix__check_space_surface(ctx, s));
     for (int k = 0; k < 3; k++)
         if (v->power[k] < 0 || v->power[k] > 2)
             return IX_FAIL(ctx, IX_EARG, "power %d of a coordinate",
