@@ -85,5 +85,9 @@ ix_status ix__prim_equal_cones(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
  * both are one. */
 ix_status ix__prim_coaxial(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
                            double size, ix__prim_set *s) IX_MUST_CHECK;
+/* Tori around one axis with one minor radius: a cone, cylinder or plane. Err
+ * IX_EDOMAIN both are one. */
+ix_status ix__prim_coaxial_tori(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
+                                double size, ix__prim_set *s) IX_MUST_CHECK;
 
 #endif

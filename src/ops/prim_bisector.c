@@ -448,6 +448,7 @@ static ix_status lines(ix_ctx *ctx, task *k)
 static ix_status with_torus(ix_ctx *ctx, task *k)
 {
     double gap = fabs(k->a.radius - k->b.radius);
+    ix__prim_set s = {.n = 0};
 
     if (k->b.kind != IX_PRIM_LINE && k->b.kind != IX_PRIM_CYLINDER &&
         k->b.kind != IX_PRIM_TORUS)
@@ -459,6 +460,10 @@ static ix_status with_torus(ix_ctx *ctx, task *k)
                        "torus only those of one radius have a rational "
                        "bisector, that of their spines",
                        k->a.radius, k->b.radius);
+    if (k->b.kind == IX_PRIM_TORUS &&
+        ix__prim_is_coaxial(&k->a, &k->b, k->size))
+        return deliver_set(
+            ctx, k, &s, ix__prim_coaxial_tori(ctx, &k->a, &k->b, k->size, &s));
     return spines(ctx, k);
 }
 

@@ -107,3 +107,19 @@ ix_status ix__prim_coaxial(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
     assert(s->n > 0);
     return IX_OK;
 }
+
+/* In the half plane the circles inside are points: the line halfway. */
+ix_status ix__prim_coaxial_tori(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
+                                double size, ix__prim_set *s)
+{
+    double h = height_of(a, b), sum = a->major + b->major, x[2][2];
+    double m[3] = {b->major - a->major, h, 0.0};
+
+    if (ix__prim_touch(hypot(m[0], h), a->pos, b->pos, size))
+        return IX_FAIL(ctx, IX_EDOMAIN, "both are one torus");
+    m[2] = 0.5 * (m[0] * sum + h * h);
+    /* the radius of its point next to the middle is sum m0^2 / 2 |m|^2 */
+    if (!clip(m, 0.5 * h, size, x))
+        assert(false);
+    return turned(ctx, a, x, s);
+}

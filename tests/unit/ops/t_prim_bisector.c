@@ -270,6 +270,7 @@ static const struct {
     {{{CY, {0, 0, 0}, .3, 0, 'z'}, {CY, {0, 0, 1}, .3, 0, 'x'}}, 2, {2, 2}},
     {{{TO, {0, 0, 0}, .3, 0, 'z'}, {CY, {.5, .2, 1}, .3, 0, 'x'}}, 1, {3, 3}},
     {{{TO, {0, 0, 0}, .3, 0, 'z'}, {TO, {.5, .2, 1}, .3, 0, 'x'}}, 1, {3, 3}},
+    {{{TO, {0, 0, 0}, .3, 0, 'z'}, {TO, {0, 0, 1}, .3, 0, 'd'}}, 1, {3, 2}},
     {{{TO, {0, 0, 0}, 0, 0, 'z'}, {LN, {.5, .2, 1}, 0, 0, 'x'}}, 1, {3, 3}},
 };
 
@@ -446,6 +447,7 @@ static void refused(void **state)
     expect(&a, &b, 2, IX_EARG, "a torus with a plane or a cone");
     b.kind = IX_PRIM_CYLINDER;
     expect(&a, &b, 2, IX_EARG, "radii of 0.1 and 0.5");
+    expect(&a, &a, 2, IX_EDOMAIN, "both are one torus");
     a.kind = IX_PRIM_SPHERE;
     a.radius = -1;
     expect(&a, &b, 2, IX_EARG, "a radius of -1");
