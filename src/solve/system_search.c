@@ -29,6 +29,7 @@ typedef struct ix__search {
     ix__combined second;             /* the weakest one, improved */
     double *work;                    /* [2 size] of second's shape */
     double *copy;                    /* [n][size]: for the inflated box */
+    double margin;                   /* see margin_for */
     size_t stalled; /* boxes that could only be halved although small */
 } search;
 
@@ -208,11 +209,21 @@ static void newton(search *q, const double *f, const double *ferr, ix__mat m,
         rest[i] = fabs(d[i]) + e[i];
 }
 
-#define MARGIN 0.125 /* by which a box is inflated on each side */
+/* By which a box is inflated on each side: 1/8, less for high degrees, as the
+ * bound of what extrapolation makes of errors grows exponentially with margin
+ * times degree. */
+static double margin_for(const ix__shape *s)
+{
+    int degrees = 0;
 
-/* Tensors of the n equations on the box inflated by MARGIN, their errors and
- * sizes. Two passes of dims - 1 layers in each direction extrapolate, which
- * multiplies errors by (1 + 2 MARGIN)^degree at most in each of them; 5
+    for (int j = 0; j < s->n; j++)
+        degrees += s->dims[j] - 1;
+    return 1.0 / (degrees > 8 ? degrees : 8);
+}
+
+/* Tensors of the n equations on the box inflated by the margin, their errors
+ * and sizes. Two passes of dims - 1 layers in each direction extrapolate, which
+ * multiplies errors by (1 + 2 margin)^degree at most in each of them; 5
  * roundings for each degree are for the evaluation at a point. */
 static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
 {
@@ -221,7 +232,7 @@ static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
 
     for (int j = 0; j < s->n; j++) {
         for (int d = 1; d < s->dims[j]; d++)
-            grow *= (1 + 2 * MARGIN) * (1 + 2 * MARGIN);
+            grow *= (1 + 2 * q->margin) * (1 + 2 * q->margin);
         layers += (2 * 3 + 5) * (s->dims[j] - 1);
     }
     memcpy(q->copy, b->c, (size_t)s->n * s->size * sizeof *q->copy);
@@ -229,7 +240,7 @@ static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
         double *f = q->copy + (size_t)k * s->size, lo, hi;
 
         for (int j = 0; j < s->n; j++)
-            ix__tensor_restrict(s, f, j, -MARGIN, 1 + MARGIN);
+            ix__tensor_restrict(s, f, j, -q->margin, 1 + q->margin);
         ix__tensor_range(s, f, &lo, &hi);
         mag[k] = ix__larger(ix__larger(-lo, hi), b->mag[k]);
         ferr[k] = (b->err[k] + layers * UNIT * mag[k]) * grow;
@@ -322,7 +333,7 @@ static void improve_rest(search *q, const ix__box *b, ix__mat m,
     double ferr[IX_MAX_UNKNOWNS], layers = 0, grow = 1;
 
     for (int j = 0; j < s->n; j++) {
-        y[j] = x[j] * (1 + 2 * MARGIN) - MARGIN;
+        y[j] = x[j] * (1 + 2 * q->margin) - q->margin;
         for (int k = 1; k < s->t.shape.dims[j]; k++)
             grow *= 1 + 2 * ix__larger(0, ix__larger(-y[j], y[j] - 1));
         layers += 3 * (s->t.shape.dims[j] - 1);
@@ -394,7 +405,7 @@ static ix_status find_the_one(search *q, const ix__box *b, double *ferr,
     newton(q, q->copy, ferr, m, x, e);
     improve_rest(q, b, m, x, e);
     ball = largest_abs(e, n) / (1 - lip);
-    if (!(ball < MARGIN / 4)) /* could not be told from a neighbour's */
+    if (!(ball < q->margin / 4)) /* could not be told from a neighbour's */
         return IX_OK;
     for (int i = 0; i < n; i++)
         if (!(x[i] - ball > 0 && x[i] + ball < 1))
@@ -403,8 +414,8 @@ static ix_status find_the_one(search *q, const ix__box *b, double *ferr,
     if (lip > SLACK)
         sharpen(q, b, ferr, mag, x, ball, radius);
     for (int i = 0; i < n; i++) {
-        x[i] = x[i] * (1 + 2 * MARGIN) - MARGIN;
-        radius[i] = radius[i] * (1 + 2 * MARGIN) + 2 * UNIT;
+        x[i] = x[i] * (1 + 2 * q->margin) - q->margin;
+        radius[i] = radius[i] * (1 + 2 * q->margin) + 2 * UNIT;
     }
     *v = NONE;
     if (!in_box(s, b, x, radius) || !checks_hold(q, b, x, radius))
@@ -427,7 +438,8 @@ static ix_status unique(search *q, const ix__box *b, ix__mat inv, verdict *v)
     inflate(q, b, ferr, mag);
     for (int i = 0; i < s->n; i++)
         for (int k = 0; k < s->n; k++)
-            m[i][k] /= 1 + 2 * MARGIN; /* for the inflated box's coordinates */
+            m[i][k] /= 1 +
+                       2 * q->margin; /* for the inflated box's coordinates */
     lip = contraction(q, q->copy, ferr, mag, m, d);
     return lip < 0.9 ? find_the_one(q, b, ferr, mag, m, d, lip, v) : IX_OK;
 }
@@ -605,6 +617,7 @@ static ix_status make_search(ix__system *sys)
     IX_SCRATCH(sys->t.ctx, q->second.c, more);
     IX_SCRATCH(sys->t.ctx, q->work, 2 * more);
     q->sys = sys;
+    q->margin = margin_for(&sys->t.shape);
     sys->search = q;
     return IX_OK;
 }

@@ -616,6 +616,64 @@ static void tell(void **state)
     assert_true(verified > 150);
 }
 
+#define HIGH 19 /* degree of either direction */
+
+/* A linear function times a factor that is largest at the ends of the domain
+ * and 1e-3 of that where the line runs; of degree HIGH, one span or four. */
+static ix_mv *high_line(const double c[3], bool spline)
+{
+    const double lin[4] = {c[2], c[0] + c[2], c[1] + c[2], c[0] + c[1] + c[2]};
+    const ix_dir two[2] = {{IX_BEZIER, 2, 2, false, NULL},
+                           {IX_BEZIER, 2, 2, false, NULL}};
+    const ix_dir many[2] = {{IX_BEZIER, HIGH, HIGH, false, NULL},
+                            {IX_BEZIER, HIGH, HIGH, false, NULL}};
+    static const double knot = 0.625;
+    double pts[HIGH * HIGH];
+    ix_mv *a, *b, *f, *g;
+
+    for (int i = 0; i < HIGH * HIGH; i++) {
+        double x = fabs(i % HIGH - 8.5) / 9.5, y = fabs(i / HIGH - 8.5) / 9.5;
+
+        pts[i] = pow(10, 4 * fmax(x, y) - 4) * ix_rng_range(&rng, 0.8, 1.2);
+    }
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, two, 1, false, lin, &a));
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, many, 1, false, pts, &b));
+    ASSERT_OK(ctx, ix_sym_mul(ctx, a, b, NULL, &f));
+    for (int d = 0; spline && d < 2; d++) {
+        ASSERT_OK(ctx, ix_mv_insert_knots(ctx, f, d, 1, &knot, &g));
+        ix_mv_unref(ctx, f);
+        f = g;
+    }
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    return f;
+}
+
+/* Law: a regular solution is certified whatever the degree, also where it is
+ * not much above the rounding errors of the coefficients. */
+static void high_degree(void **state)
+{
+    static const double line[2][3] = {{0.7, -1, 0.12}, {0.4, 0.9, -0.64}};
+
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        ix_mv *f[2] = {high_line(line[0], i % 2), high_line(line[1], i % 2)};
+        const ix_equation eq[2] = {{.f = f[0]}, {.f = f[1]}};
+        ix_solutions s;
+
+        ASSERT_OK(ctx, ix_solve(ctx, 2, eq, NULL, &s));
+        assert_int_equal(s.n, 1);
+        assert_true(s.sol[0].certified);
+        /* 0.7 x - y + 0.12 = 0.4 x + 0.9 y - 0.64 = 0; an error of 1e-16 of the
+         * coefficients is 1e-12 of the function */
+        ASSERT_CLOSE(s.sol[0].x[0], 0.532 / 1.03, 1e-11);
+        ASSERT_CLOSE(s.sol[0].x[1], 0.496 / 1.03, 1e-11);
+        ix_solutions_free(ctx, &s);
+        for (int k = 0; k < 2; k++)
+            ix_mv_unref(ctx, f[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(two_conics),
@@ -625,6 +683,7 @@ int main(void)
                                        cmocka_unit_test(scales),
                                        cmocka_unit_test(knots_through_roots),
                                        cmocka_unit_test(random_bicubics),
+                                       cmocka_unit_test(high_degree),
                                        cmocka_unit_test(budget),
                                        cmocka_unit_test(interrupted),
                                        cmocka_unit_test(budget_of_patches),
