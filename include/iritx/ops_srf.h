@@ -20,6 +20,7 @@
 #ifndef IRITX_OPS_SRF_H
 #define IRITX_OPS_SRF_H
 
+#include "iritx/geom.h"
 #include "iritx/ops.h"
 #include "iritx/solve.h"
 
@@ -97,6 +98,67 @@ ix_status ix_srf_parabolic(ix_ctx *ctx, const ix_mv *s, double tol,
  * Err   IX_EDOMAIN every point is one: a plane or sphere */
 ix_status ix_srf_umbilics(ix_ctx *ctx, const ix_mv *s, const ix_solve_opts *o,
                           ix_solutions *out) IX_MUST_CHECK;
+
+/* Flecnodal curves: where a tangent line meets S four times at least (along an
+ * asymptotic direction it meets it three times). Curves of (u, v, a, b): the
+ * line's direction is a S_u + b S_v, a^2 + b^2 = 1; it does not jump along a
+ * curve and may come back with the other sign where a loop is closed. tol as in
+ * ix_curves_opts, of each Bezier patch. Plane and ruled patches, where such
+ * lines are everywhere, are left out. Freed with ix_solution_curves_free.
+ * Err   IX_EARG    not 3 coordinates; power basis
+ *       IX_EDOMAIN all patches are plane or ruled
+ * Num   vertices are on the curve to rounding; every curve is found (see
+ *       ix_solve_curves), unless complete says that the search was stopped
+ * Src   docs/ops/srf_lines.md; Salmon 1882, art. 588; Petitjean, Ponce &
+ *       Kriegman 1992 */
+ix_status ix_srf_flecnodal(ix_ctx *ctx, const ix_mv *s, double tol,
+                           ix_solution_curves *out) IX_MUST_CHECK;
+/* Where a tangent line meets S five times at least, isolated points of
+ * flecnodal curves: solutions (u, v, a, b) as above, freed with
+ * ix_solutions_free. Err as above. */
+ix_status ix_srf_flecnodal_points(ix_ctx *ctx, const ix_mv *s,
+                                  ix_solutions *out) IX_MUST_CHECK;
+
+/* Directions of view (parallel rays) along which the outline of a transparent
+ * surface changes by what happens at one of its points: curves on the unit
+ * sphere, each with its antipode. They are part of the boundaries of the aspect
+ * graph's cells; the other part, events of two and three points that lie one
+ * behind the other, is not among them.
+ *
+ *   parabolic    asymptotic directions of parabolic points: lips, beak-to-beak
+ *   swallowtail  directions of flecnodal curves
+ *
+ * tol: distance of the polylines from the curves on the sphere, and as in
+ * ix_curves_opts; 0: 1e-4. Freed with ix_aspects_free.
+ * Err   IX_EARG    not 3 coordinates; power basis
+ *       IX_EDOMAIN a developable or ruled surface
+ * Num   vertices are directions at points of the curve, to rounding; where the
+ *       surface has no normal, or is flat, curves are cut
+ * Src   Koenderink & van Doorn 1976; Kergosien 1981; Petitjean, Ponce &
+ *       Kriegman 1992 */
+typedef struct {
+    ix_lines parabolic, swallowtail;
+    bool complete; /* false: a search was stopped, see ix_curves_opts */
+} ix_aspects;
+ix_status ix_srf_aspects(ix_ctx *ctx, const ix_mv *s, double tol,
+                         ix_aspects *out) IX_MUST_CHECK;
+void ix_aspects_free(ix_ctx *ctx, ix_aspects *a);
+
+/* Where the radial curvature is zero: the normal curvature in the direction of
+ * w, the projection of view (parallel rays) on the tangent plane. Curves of (u,
+ * v, a, b), w along a S_u + b S_v, a^2 + b^2 = 1; where the view is along the
+ * normal (many curves may meet there) the direction is that of the vertex
+ * before. tol as in ix_curves_opts. Freed with ix_solution_curves_free.
+ * Err   IX_EARG    view is 0
+ *       IX_EDOMAIN it is zero everywhere
+ * Src   Koenderink 1984; DeCarlo, Finkelstein, Rusinkiewicz & Santella 2003 */
+ix_status ix_srf_radial(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                        double tol, ix_solution_curves *out) IX_MUST_CHECK;
+/* A scalar field over the parameters of S, polynomial: a positive multiple of
+ * the radial curvature for the normal n. Err as above, but none where it is
+ * zero everywhere. */
+ix_status ix_srf_radial_field(ix_ctx *ctx, const ix_mv *s, const double view[3],
+                              ix_mv **out) IX_MUST_CHECK;
 
 /* Principal curvatures k[0] >= k[1] with respect to n, and their directions:
  * ab[i] with ab[i][0] S_u + ab[i][1] S_v = dir[i] of length 1. At an umbilic

@@ -15,116 +15,8 @@
 #include "iritx/geom_srf.h"
 #include "lang/args_freeform.h"
 #include "lang/interp.h"
+#include "lang/ret_solutions.h"
 #include "mv/mv.h"
-
-static void remark_open(ix_call *c, bool complete, size_t boxes)
-{
-    if (!complete)
-        ix__remark(c->in,
-                   "stopped after %zu boxes: there may be infinitely many "
-                   "solutions",
-                   boxes);
-}
-
-#define FINE 1e-4 /* of the domain: a place that needs no remark */
-
-/* Where curves end at places that are known only roughly. */
-static void remark_rough(ix_call *c, const ix_solution_curves *s)
-{
-    double widest = 0;
-
-    for (int i = 0; i < s->nsingular; i++)
-        for (int j = 0; j < s->unknowns; j++)
-            widest = fmax(widest, s->singular[i].hi[j] - s->singular[i].lo[j]);
-    if (s->complete && widest > 0.9)
-        ix__remark(c->in, "the conditions hold everywhere, or nearly");
-    else if (s->complete && widest > FINE)
-        ix__remark(c->in,
-                   "the conditions depend on each other near %d points: curves "
-                   "that meet there end before, up to %.2g of the parameters "
-                   "away",
-                   s->nsingular, widest);
-}
-
-/* --- curves of parameters
- * ------------------------------------------------------ */
-
-/* Unknowns first .. first + count - 1 of a solution curve; on m, if given,
- * their point (count is m's directions). */
-typedef struct {
-    int unknowns, first, count;
-    const ix_mv *m;
-} view;
-
-static ix_status add_curve(ix_call *c, const ix_solution_curve *k, view v,
-                           ix_obj *list)
-{
-    int nc = v.m ? 3 : v.count;
-    double *pts, x[IX_MAX_COORDS] = {0};
-    ix_obj *o;
-
-    IX_SCRATCH(c->ctx, pts, (size_t)nc * (size_t)k->n);
-    for (int i = 0; i < k->n; i++) {
-        const double *at = k->x + (size_t)i * (size_t)v.unknowns + v.first;
-
-        if (v.m)
-            IX_TRY(ix_mv_point(c->ctx, v.m, at, x));
-        else
-            memcpy(x, at, (size_t)nc * sizeof *x);
-        for (int e = 0; e < nc; e++)
-            pts[(size_t)e * (size_t)k->n + (size_t)i] = x[e];
-    }
-    IX_TRY(ix__polyline_curve(c, k->n, nc, pts, &o));
-    return ix__list_add(c->ctx, list, o);
-}
-
-/* keep may be NULL. The curves are released. */
-static ix_status ret_curves(ix_call *c, ix_solution_curves *s, view v,
-                            ix_status (*keep)(ix_call *c, const double *x,
-                                              bool *out))
-{
-    ix_obj *list = ix__obj_list(c->ctx);
-    ix_status st = list ? IX_OK : IX_ENOMEM;
-
-    remark_open(c, s->complete, s->boxes);
-    remark_rough(c, s);
-    v.unknowns = s->unknowns;
-    for (int i = 0; st == IX_OK && i < s->ncurves; i++) {
-        const ix_solution_curve *k = &s->curve[i];
-        bool wanted = true;
-
-        if (keep)
-            st = keep(c, k->x + (size_t)(k->n / 2) * (size_t)s->unknowns,
-                      &wanted);
-        if (st == IX_OK && wanted)
-            st = add_curve(c, k, v, list);
-    }
-    ix_solution_curves_free(c->ctx, s);
-    return ix__ret_list(c, list, st);
-}
-
-/* The solutions as control points; they are released. */
-static ix_status ret_points(ix_call *c, ix_solutions *s,
-                            ix_status (*keep)(ix_call *c, const double *x,
-                                              bool *out))
-{
-    ix_obj *list = ix__obj_list(c->ctx);
-    ix_status st = list ? IX_OK : IX_ENOMEM;
-
-    remark_open(c, s->complete, s->boxes);
-    for (int i = 0; st == IX_OK && i < s->n; i++) {
-        ix_ctlpt p = {.ncoords = s->unknowns};
-        bool wanted = true;
-
-        memcpy(p.v, s->sol[i].x, (size_t)s->unknowns * sizeof *p.v);
-        if (keep)
-            st = keep(c, s->sol[i].x, &wanted);
-        if (st == IX_OK && wanted)
-            st = ix__list_add(c->ctx, list, ix__obj_ctlpt(c->ctx, &p));
-    }
-    ix_solutions_free(c->ctx, s);
-    return ix__ret_list(c, list, st);
-}
 
 /* --- common tangent planes
  * ----------------------------------------------------- */
@@ -166,7 +58,7 @@ static ix_status srf2tans(ix_call *c)
     IX_TRY(arg_surfaces(c, 2, &m));
     IX_TRY(
         ix__srf_bitangents(c->ctx, m[0], m[1], ix__contour_tolerance(c), &s));
-    return ret_curves(c, &s, (view){.count = 4}, oriented);
+    return ix__ret_curves(c, &s, (ix__unknowns){.count = 4}, oriented);
 }
 
 static ix_status srf3tans(ix_call *c)
@@ -176,7 +68,7 @@ static ix_status srf3tans(ix_call *c)
 
     IX_TRY(arg_surfaces(c, 3, &m));
     IX_TRY(ix__srf_tritangents(c->ctx, m, &s));
-    return ret_points(c, &s, oriented);
+    return ix__ret_points(c, &s, oriented);
 }
 
 /* --- motions
@@ -203,7 +95,7 @@ static ix_status mvcontact(ix_call *c)
                            "no curve of the list has the name MOV_XYZ or SCL");
     IX_TRY(ix__srf_contacts(c->ctx, ix__arg_mv(c, 0), ix__arg_mv(c, 1), mov,
                             scl, &s));
-    return ret_points(c, &s, NULL);
+    return ix__ret_points(c, &s, NULL);
 }
 
 /* --- rays, feet
@@ -223,7 +115,7 @@ static ix_status saccess(ix_call *c)
         return IX_ARG_FAIL(c, 3, "limits are not known here; 0 is wanted");
     IX_TRY(ix__srf_access(c->ctx, ix__arg_mv(c, 0), dir, ix__arg_mv(c, 2),
                           ix__contour_tolerance(c), &s));
-    return ret_curves(c, &s, (view){.count = 4}, NULL);
+    return ix__ret_curves(c, &s, (ix__unknowns){.count = 4}, NULL);
 }
 
 static ix_status csrfproj(ix_call *c)
@@ -237,8 +129,9 @@ static ix_status csrfproj(ix_call *c)
         return IX_ARG_FAIL(c, 2, "a tolerance of %g; it must be positive", tol);
     IX_TRY(
         ix__crv_srf_feet(c->ctx, ix__arg_mv(c, 0), srf, fmin(tol, 1e-2), &s));
-    return ret_curves(
-        c, &s, (view){.first = 1, .count = 2, .m = euclid ? srf : NULL}, NULL);
+    return ix__ret_curves(
+        c, &s, (ix__unknowns){.first = 1, .count = 2, .m = euclid ? srf : NULL},
+        NULL);
 }
 
 /* --- reflections
@@ -348,12 +241,14 @@ static ix_status bounded_ruled(ix_call *c, const ix_mv *const m[4],
         IX_TRY(ix_srf_ruled(c->ctx, m[2 * k], m[2 * k + 1], &srf[k]));
     IX_TRY(
         ix_srf_srf_meet(c->ctx, srf[0], srf[1], ix__contour_tolerance(c), &s));
-    remark_open(c, s.complete, s.boxes);
+    ix__remark_open(c, s.complete, s.boxes);
     for (int i = 0; st == IX_OK && i < s.ncurves; i++) {
-        st = add_curve(c, &s.curve[i], (view){4, 0, 2, srf[0]}, r->list[0]);
+        st = ix__add_solution_curve(
+            c, &s.curve[i], (ix__unknowns){4, 0, 2, srf[0]}, r->list[0]);
         for (int k = 0; st == IX_OK && k < 2; k++)
-            st = add_curve(c, &s.curve[i], (view){4, 2 * k, 2, NULL},
-                           r->list[k + 1]);
+            st = ix__add_solution_curve(c, &s.curve[i],
+                                        (ix__unknowns){4, 2 * k, 2, NULL},
+                                        r->list[k + 1]);
     }
     ix_solution_curves_free(c->ctx, &s);
     return st;
@@ -437,7 +332,7 @@ static ix_status zero_curves(ix_call *c, const ix_mv *const m[4],
     ix_status st = IX_OK;
 
     IX_TRY(ix_contour(c->ctx, f, value, ix__contour_tolerance(c), &s));
-    remark_open(c, s.complete, s.boxes);
+    ix__remark_open(c, s.complete, s.boxes);
     for (int i = 0; st == IX_OK && i < s.ncurves; i++) {
         st = add_zero_curve(c, m, &s.curve[i], ringed, r);
         if (st == IX_OK && ringed)

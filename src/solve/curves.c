@@ -74,11 +74,3 @@ ix_status ix_solve_curves(ix_ctx *ctx, int neq, const ix_equation *eq,
     *out = (ix_solution_curves){.unknowns = 0};
     IX_RETURN_SCOPED(ctx, solve(ctx, neq, eq, o, out));
 }
-
-void ix_solution_curves_free(ix_ctx *ctx, ix_solution_curves *c)
-{
-    /* the block starts with the first of its parts that is not empty */
-    if (c->bytes)
-        ix__free(ctx, c->singular, c->bytes);
-    *c = (ix_solution_curves){.unknowns = 0};
-}

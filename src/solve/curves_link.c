@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/curves_alloc.h"
 #include "solve/curves_impl.h"
 
 #define TIE                                                           \
@@ -408,26 +409,12 @@ static void put_curve(writer *w, const links *l, int e)
 
 static ix_status allocate(ix__curves *s, ix_solution_curves *out, double **x)
 {
-    size_t nc = (size_t)s->narcs, ns = (size_t)s->singular.n, nx = 0;
-    unsigned char *p;
+    size_t nx = 0;
 
     for (int a = 0; a < s->narcs; a++)
         nx += (size_t)s->arc[a].n * (size_t)s->n;
-    out->bytes = nx * sizeof **x + nc * sizeof *out->curve +
-                 ns * (sizeof *out->singular + sizeof *out->arcs);
-    if (out->bytes == 0)
-        return IX_OK;
-    p = ix__alloc(s->t.ctx, out->bytes);
-    if (!p)
-        return IX_ENOMEM;
-    out->singular = (void *)p;
-    p += ns * sizeof *out->singular;
-    *x = (void *)p;
-    p += nx * sizeof **x;
-    out->curve = (void *)p;
-    p += nc * sizeof *out->curve;
-    out->arcs = (void *)p;
-    return IX_OK;
+    return ix__solution_curves_alloc(s->t.ctx, nx, (size_t)s->narcs,
+                                     (size_t)s->singular.n, out, x);
 }
 
 ix_status ix__curves_link(ix__curves *s, ix_solution_curves *out)
