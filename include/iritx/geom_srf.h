@@ -471,6 +471,31 @@ typedef struct {
 ix_status ix_similar(ix_ctx *ctx, const ix_mv *a, const ix_mv *b, double eps,
                      bool *found, ix_similarity *out) IX_MUST_CHECK;
 
+/* --- folds of trivariates ---------------------------------------------- */
+
+/* det(T_u, T_v, T_w) over the parameters of T: a polynomial scalar, of degree
+ * 3d-1; of a rational T its product with w^4, 4d-1.
+ * Err   IX_EARG not a Bezier or B-spline trivariate of 3 coordinates */
+ix_status ix_tv_jacobian(ix_ctx *ctx, const ix_mv *t,
+                         ix_mv **out) IX_MUST_CHECK;
+
+/* Where that changes its sign: T folds there, or is turned inside out. A
+ * surface of triangles, each a line of three points, in the parameters of T or
+ * (euclid) on T itself; counter-clockwise seen, in the parameters, from where
+ * the determinant is positive.
+ *
+ * In    cells  boxes to each span of the knots of T, a direction; of a fold
+ *              that is smaller than one nothing may be seen
+ * Err   IX_EARG    as above, cells < 1
+ *       IX_EDOMAIN the determinant is zero everywhere
+ *       IX_EUNABLE more than 20 million boxes
+ * Num   vertices are zeros along edges of the boxes, their sides' and their own
+ *       diagonals, to rounding; the triangles have no gaps. Where the
+ *       determinant touches zero without a change of sign there is no fold
+ * Src   Joy & Duchaineau 1999; marching tetrahedra, Doi & Koide 1991 */
+ix_status ix_tv_fold(ix_ctx *ctx, const ix_mv *t, const int cells[3],
+                     bool euclid, ix_lines *out) IX_MUST_CHECK;
+
 /* --- triangular Bezier patches ----------------------------------------- */
 
 /* Control points double[naxes][n (n+1) / 2] for order n: index j over the

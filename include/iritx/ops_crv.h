@@ -114,6 +114,39 @@ void ix_crv_features_free(ix_ctx *ctx, ix_crv_feature *f, int n);
 ix_status ix_crv_curvature(ix_ctx *ctx, const ix_mv *crv, double t,
                            double *out) IX_MUST_CHECK;
 
+/* --- one control point --------------------------------------------------- */
+
+/* The sign of the curvature as a function of the parameter and of the place of
+ * control point idx (from 0): F(t, x, y) = w^3 det(c', c'') of the curve with
+ * that point at (x, y), its weight kept. F is affine in x and y.
+ *
+ * In    range  x and y are in [range[0], range[1]]
+ * Out   *out   E1, three directions, B-splines; degree as IX_CRV_INFLECTION in
+ *              t, 1 in x and y
+ * Err   IX_EARG    not a Bezier or B-spline curve of 2 or 3 coordinates, idx,
+ *                  an empty range
+ *       IX_EDOMAIN a polygon (order 2) */
+ix_status ix_crv_one_point(ix_ctx *ctx, const ix_mv *crv, int idx,
+                           const double range[2], ix_mv **out) IX_MUST_CHECK;
+/* Where two inflections appear or vanish: F = dF/dt = 0, curves of (t, x, y).
+ * tol as in ix_curves_opts. Freed with ix_solution_curves_free. Err as above.
+ */
+ix_status ix_crv_one_point_births(ix_ctx *ctx, const ix_mv *crv, int idx,
+                                  const double range[2], double tol,
+                                  ix_solution_curves *out) IX_MUST_CHECK;
+/* Lines (x, y, 0) that divide the square of places into regions in each of
+ * which the number of inflections is one: the curves above, and the straight
+ * lines on which F is zero at an end of the domain, or at a knot where F or its
+ * derivative jumps. *complete: as of the curves. Freed with ix_lines_free. */
+ix_status ix_crv_one_point_regions(ix_ctx *ctx, const ix_mv *crv, int idx,
+                                   const double range[2], double tol,
+                                   bool *complete, ix_lines *out) IX_MUST_CHECK;
+/* F = 0 as triangles in (t, x, y), cells boxes to each span and to the range
+ * (see ix_tv_fold). Err also IX_EARG cells < 1. */
+ix_status ix_crv_one_point_surface(ix_ctx *ctx, const ix_mv *crv, int idx,
+                                   const double range[2], int cells,
+                                   ix_lines *out) IX_MUST_CHECK;
+
 /* --- curves ------------------------------------------------------------- */
 
 /* The vector of curvature, kappa N = (x' x x'') x x' / |x'|^4.

@@ -96,6 +96,7 @@ extern const ix_builtin ix__builtins_layout[];
 extern const ix_builtin ix__builtins_volume[];
 extern const ix_builtin ix__builtins_contact[];
 extern const ix_builtin ix__builtins_asymptotic[];
+extern const ix_builtin ix__builtins_sign[];
 extern const ix_builtin ix__builtins_solid[];   /* and other outsiders */
 extern const ix_builtin ix__builtins_startup[]; /* lang/startup.h */
 

@@ -1,6 +1,5 @@
 /* builtins_envelope.c - envelopes of cones, adaptive isoparametric curves,
- * curvature of level surfaces; and the functions that are known by name only
- * (chapters 9 to 24 of spec/functions). */
+ * curvature of level surfaces (chapters 13, 15 and 20 of spec/functions). */
 #include "geom/cone_envelope.h"
 #include "geom/iso_curvature.h"
 #include "geom/iso_curves.h"
@@ -169,21 +168,8 @@ static ix_status tcrvtr(ix_call *c)
     return what == 2 ? ret_hessian(c, &p) : ret_curvature(c, &p);
 }
 
-/* --- names only
- * ------------------------------------------------------------------ */
+/* --- table ------------------------------------------------------------- */
 
-static ix_status not_here(ix_call *c)
-{
-    return IX_FAIL(c->ctx, IX_EUNABLE,
-                   "this function is known by name only: this program does not "
-                   "do what it does");
-}
-
-#define ABSENT(name, sig, what, ex, chapter)                               \
-    {                                                                      \
-        name, sig, what ", which this program does not do.", ex, not_here, \
-            IX_B_SOFT, chapter                                             \
-    }
 #define C "c = circle(vector(0,0,0), 1); "
 #define S "s = spheresrf(1); "
 #define FIELD                                                                \
@@ -214,13 +200,4 @@ const ix_builtin ix__builtins_envelope[] = {
      "-1 and 0, which would prepare and end, give 1.",
      FIELD "l = tcrvtr(t, point(0.4, 0.3, 0.6), 3);", tcrvtr, 0, 15},
 
-    ABSENT("CCRVTR1PT",
-           "c:curve idx:num min:num max:num subdiv:num numer:num op:num -> "
-           "any",
-           "Shows where one control point keeps a curve convex",
-           C "m = ccrvtr1pt(c, 1, -1, 3, 0.1, 1e-6, 1);", 9),
-    ABSENT("TVZRJACOB",
-           "t:trivar euclid:bool skip:num fineness:num|list -> poly",
-           "Draws where a trivariate folds",
-           FIELD "o = tvzrjacob(t, true, 1, 0);", 15),
     {0}};

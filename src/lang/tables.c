@@ -76,6 +76,7 @@ static const ix_builtin *const tables[] = {
     ix__builtins_volume,
     ix__builtins_contact,
     ix__builtins_asymptotic,
+    ix__builtins_sign,
     ix__builtins_solid,
     ix__builtins_startup,
 };
