@@ -1,29 +1,22 @@
 /* iso_curves.c - see the header. */
 #include "geom/iso_curves.h"
 
+#include "geom/gap.h"
 #include "geom/halve.h"
 #include "geom/parts.h"
-#include "geom/vec3.h"
-#include "iritx/sym.h"
 
 /* A bound of |S(., a) - S(., b)|. */
 static ix_status gap_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
                         double b, double *gap)
 {
-    double lo[IX_MAX_COORDS] = {0}, hi[IX_MAX_COORDS] = {0}, far[3];
-    ix_mv *t[3] = {NULL};
+    ix_mv *t[2] = {NULL};
     ix_status st = ix_mv_fix(ctx, s, dir, a, &t[0]);
 
     if (st == IX_OK)
         st = ix_mv_fix(ctx, s, dir, b, &t[1]);
     if (st == IX_OK)
-        st = ix_sym_sub(ctx, t[0], t[1], NULL, &t[2]);
-    if (st == IX_OK)
-        st = ix_mv_bbox(ctx, t[2], lo, hi);
-    for (int k = 0; k < 3; k++)
-        far[k] = fmax(-lo[k], hi[k]);
-    *gap = ix__len3(far);
-    ix__mv_unref_all(ctx, t, 3);
+        st = ix__gap_bound(ctx, t[0], t[1], gap);
+    ix__mv_unref_all(ctx, t, 2);
     return st;
 }
 

@@ -2,11 +2,11 @@
  * layout projection). */
 #include "geom/ruled_pieces.h"
 
+#include "geom/gap.h"
 #include "geom/halve.h"
 #include "geom/parts.h"
 #include "geom/vec3.h"
 #include "iritx/geom_srf.h"
-#include "iritx/sym.h"
 
 enum { PIECE_TEMPS = 4 };
 
@@ -30,9 +30,9 @@ ix_status ix__ruled_piece(ix_ctx *ctx, const ix_mv *s, int dir, double a,
     return st;
 }
 
-/* The difference of s over [a, b] and that piece. */
-static ix_status difference(ix_ctx *ctx, const ix_mv *s, int dir, double a,
-                            double b, ix_mv *t[PIECE_TEMPS], ix_mv **out)
+/* s over [a, b], t[3], and that piece, t[2], with the same parameters. */
+static ix_status both(ix_ctx *ctx, const ix_mv *s, int dir, double a, double b,
+                      ix_mv *t[PIECE_TEMPS])
 {
     IX_TRY(ix__ruled_piece(ctx, s, dir, a, b, &t[0]));
     IX_TRY(ix_mv_reparam(ctx, t[0], 1, a, b, &t[1]));
@@ -40,25 +40,19 @@ static ix_status difference(ix_ctx *ctx, const ix_mv *s, int dir, double a,
         IX_TRY(ix_mv_swap_dirs(ctx, t[1], 0, 1, &t[2]));
     else
         t[2] = ix_mv_ref(t[1]);
-    IX_TRY(ix_mv_region(ctx, s, dir, a, b, &t[3]));
-    return ix_sym_sub(ctx, t[3], t[2], NULL, out);
+    return ix_mv_region(ctx, s, dir, a, b, &t[3]);
 }
 
 /* A bound of the distance. */
 static ix_status error_of(ix_ctx *ctx, const ix_mv *s, int dir, double a,
                           double b, double *err)
 {
-    double lo[IX_MAX_COORDS] = {0}, hi[IX_MAX_COORDS] = {0}, far[3] = {0};
-    ix_mv *t[PIECE_TEMPS] = {NULL}, *d = NULL;
-    ix_status st = difference(ctx, s, dir, a, b, t, &d);
+    ix_mv *t[PIECE_TEMPS] = {NULL};
+    ix_status st = both(ctx, s, dir, a, b, t);
 
     if (st == IX_OK)
-        st = ix_mv_bbox(ctx, d, lo, hi);
-    for (int k = 0; k < 3; k++)
-        far[k] = fmax(-lo[k], hi[k]);
-    *err = ix__len3(far);
+        st = ix__gap_bound(ctx, t[3], t[2], err);
     ix__mv_unref_all(ctx, t, PIECE_TEMPS);
-    ix_mv_unref(ctx, d);
     return st;
 }
 

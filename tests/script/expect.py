@@ -167,7 +167,7 @@ def item_problems(want, items):
 
 
 def message_problems(want, errors, script):
-    """Each expected message is there, and no error that is not expected."""
+    """Each expected message is there, and no error or warning that is not."""
     found = []
     for line in errors.splitlines():
         match = DIAGNOSTIC.search(line)
@@ -181,8 +181,8 @@ def message_problems(want, errors, script):
         else:
             yield 'line %d: expected %s "%s"' % (number, kind, text)
     for number, kind, text in unmet:
-        if kind == 'error':
-            yield 'line %d: error not expected: %s' % (number, text)
+        if kind in ('error', 'warning'):
+            yield 'line %d: %s not expected: %s' % (number, kind, text)
 
 
 def problems(want, status, output, errors, script):
