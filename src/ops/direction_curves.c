@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "solve/curves_alloc.h"
 
 #define TIE  1e-8 /* of the domain: as in solve/curves_link.c */
@@ -14,16 +15,7 @@
 
 ix_status ix__direction_begin(ix__direction_arcs *a, ix_curve_end start)
 {
-    if (a->narcs == a->arc_cap) {
-        int cap = a->arc_cap ? 2 * a->arc_cap : 64;
-        ix__direction_arc *more;
-
-        IX_SCRATCH(a->ctx, more, cap);
-        if (a->narcs)
-            memcpy(more, a->arc, (size_t)a->narcs * sizeof *more);
-        a->arc = more;
-        a->arc_cap = cap;
-    }
+    IX_GROW(a->ctx, a->arc, a->narcs, a->arc_cap);
     a->arc[a->narcs++] = (ix__direction_arc){.first = a->n,
                                              .end = {start, start}};
     return IX_OK;
@@ -31,16 +23,7 @@ ix_status ix__direction_begin(ix__direction_arcs *a, ix_curve_end start)
 
 ix_status ix__direction_add(ix__direction_arcs *a, const double x[4])
 {
-    if (a->n == a->cap) {
-        int cap = a->cap ? 2 * a->cap : 256;
-        double(*more)[4];
-
-        IX_SCRATCH(a->ctx, more, cap);
-        if (a->n)
-            memcpy(more, a->x, (size_t)a->n * sizeof *more);
-        a->x = more;
-        a->cap = cap;
-    }
+    IX_GROW(a->ctx, a->x, a->n, a->cap);
     memcpy(a->x[a->n++], x, sizeof *a->x);
     a->arc[a->narcs - 1].n++;
     return IX_OK;

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/lines.h"
 #include "geom/vec3.h"
 #include "iritx/ops_srf.h"
@@ -68,16 +69,7 @@ static ix_status direction(const walk *w, const double *uv, const double *ab,
 
 static ix_status add_vertex(walk *w, const vertex *v)
 {
-    if (w->n == w->cap) {
-        int cap = w->cap ? 2 * w->cap : 256;
-        vertex *more;
-
-        IX_SCRATCH(w->ctx, more, cap);
-        if (w->n)
-            memcpy(more, w->v, (size_t)w->n * sizeof *more);
-        w->v = more;
-        w->cap = cap;
-    }
+    IX_GROW(w->ctx, w->v, w->n, w->cap);
     w->v[w->n++] = *v;
     w->count[w->nlines - 1]++;
     return IX_OK;
@@ -87,16 +79,7 @@ static ix_status begin_line(walk *w)
 {
     if (w->nlines > 0 && w->count[w->nlines - 1] == 0)
         return IX_OK;
-    if (w->nlines == w->line_cap) {
-        int cap = w->line_cap ? 2 * w->line_cap : 32;
-        int *more;
-
-        IX_SCRATCH(w->ctx, more, cap);
-        if (w->nlines)
-            memcpy(more, w->count, (size_t)w->nlines * sizeof *more);
-        w->count = more;
-        w->line_cap = cap;
-    }
+    IX_GROW(w->ctx, w->count, w->nlines, w->line_cap);
     w->count[w->nlines++] = 0;
     return IX_OK;
 }

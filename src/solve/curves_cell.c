@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "solve/contract.h"
 #include "solve/curves_impl.h"
 #include "solve/poly_roots.h"
@@ -51,37 +52,16 @@ static int other(int i, int k)
 /* --- growing arrays
  * --------------------------------------------------------------- */
 
-static void *grow(ix_ctx *ctx, const void *old, int used, int *cap, size_t size)
-{
-    int more = *cap ? 2 * *cap : 256;
-    void *p = more > *cap ? ix__scratch(ctx, (size_t)more, size) : NULL;
-
-    if (!p)
-        return NULL;
-    if (used)
-        memcpy(p, old, (size_t)used * size);
-    *cap = more;
-    return p;
-}
-
 ix_status ix__curves_add_pt(ix__curves *s, const double *x)
 {
-    if (s->npts == s->pt_cap) {
-        s->pts = grow(s->t.ctx, s->pts, s->npts, &s->pt_cap, sizeof *s->pts);
-        if (!s->pts)
-            return IX_ENOMEM;
-    }
+    IX_GROW(s->t.ctx, s->pts, s->npts, s->pt_cap);
     memcpy(s->pts[s->npts++].x, x, (size_t)s->n * sizeof *x);
     return IX_OK;
 }
 
 ix_status ix__curves_add_arc(ix__curves *s, int first)
 {
-    if (s->narcs == s->arc_cap) {
-        s->arc = grow(s->t.ctx, s->arc, s->narcs, &s->arc_cap, sizeof *s->arc);
-        if (!s->arc)
-            return IX_ENOMEM;
-    }
+    IX_GROW(s->t.ctx, s->arc, s->narcs, s->arc_cap);
     s->arc[s->narcs++] = (ix__arc){first, s->npts - first, 1};
     return IX_OK;
 }
