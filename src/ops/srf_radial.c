@@ -112,7 +112,7 @@ static ix_status projection(ix_ctx *ctx, const ix_mv *s, const double view[3],
  * vertex before, else after. */
 static ix_status put_curve(ix_ctx *ctx, const ix_mv *s, const double view[3],
                            const ix_solution_curve *in, double *x,
-                           ix_solution_curve *out)
+                           ix_solution_curve *out, bool *any)
 {
     int known = -1;
 
@@ -142,9 +142,11 @@ static ix_status put_curve(ix_ctx *ctx, const ix_mv *s, const double view[3],
             y[3] = y[-1];
         }
     }
+    *any = known >= 0;
     return IX_OK;
 }
 
+/* Curves without any direction, such as edges that are points, go. */
 static ix_status with_directions(ix_ctx *ctx, const ix_mv *s,
                                  const double view[3],
                                  const ix_solution_curves *in,
@@ -164,11 +166,13 @@ static ix_status with_directions(ix_ctx *ctx, const ix_mv *s,
         out->singular[out->nsingular] = in->singular[out->nsingular];
         out->arcs[out->nsingular] = in->arcs[out->nsingular];
     }
-    for (; out->ncurves < in->ncurves; out->ncurves++) {
-        const ix_solution_curve *k = &in->curve[out->ncurves];
+    for (int i = 0; i < in->ncurves; i++) {
+        bool any;
 
-        IX_TRY(put_curve(ctx, s, view, k, x, &out->curve[out->ncurves]));
-        x += 4 * (size_t)k->n;
+        IX_TRY(put_curve(ctx, s, view, &in->curve[i], x,
+                         &out->curve[out->ncurves], &any));
+        x += 4 * (size_t)in->curve[i].n;
+        out->ncurves += any;
     }
     return IX_OK;
 }

@@ -198,6 +198,27 @@ static ix_mv *gutter(void)
     return m;
 }
 
+/* A dome, v = 0 its top: no curve, although the field vanishes along that edge.
+ */
+static void pole(void **state)
+{
+    const ix_dir dirs[2] = {{IX_BEZIER, 3, 3, false, NULL},
+                            {IX_BEZIER, 3, 3, false, NULL}};
+    /* u from x to y, v down */
+    static const double pts[27] = {0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 1,
+                                   1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0};
+    static const double view[3] = {0.2, 0.3, 0.1};
+    ix_solution_curves c;
+    ix_mv *s;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, dirs, 3, false, pts, &s));
+    ASSERT_OK(ctx, ix_srf_radial(ctx, s, view, 1e-2, &c));
+    assert_int_equal(c.ncurves, 0);
+    ix_solution_curves_free(ctx, &c);
+    ix_mv_unref(ctx, s);
+}
+
 static void expect(ix_mv *s, const double view[3], ix_status want)
 {
     ix_solution_curves c;
@@ -269,13 +290,10 @@ static void every_allocation_fails(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(definition),
-        cmocka_unit_test(saddle),
-        cmocka_unit_test(complete),
-        cmocka_unit_test(ends_of_contours),
-        cmocka_unit_test(head_on),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(every_allocation_fails)};
+        cmocka_unit_test(definition), cmocka_unit_test(saddle),
+        cmocka_unit_test(complete),   cmocka_unit_test(ends_of_contours),
+        cmocka_unit_test(head_on),    cmocka_unit_test(pole),
+        cmocka_unit_test(errors),     cmocka_unit_test(every_allocation_fails)};
 
     return cmocka_run_group_tests(tests, setup, teardown);
 }
