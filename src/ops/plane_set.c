@@ -5,6 +5,7 @@
 
 #include "bern/bern.h"
 #include "geom/angle.h"
+#include "iritx/solve.h"
 #include "ops/plane.h"
 
 /* Tangents that differ by no more are a smooth joint; points that differ by no
@@ -622,6 +623,28 @@ static ix_status make_work(builder *b)
     return IX_OK;
 }
 
+/* A segment that passes through infinity has no offset curves and no feet
+ * there: halving would go on for ever. */
+static ix_status check_poles(ix_ctx *ctx, const ix_mv *c, int index)
+{
+    double at = 0.0;
+    ix_root *r;
+    int n;
+
+    if (!ix_mv_has_poles(c))
+        return IX_OK;
+    IX_TRY(ix_roots(ctx, c, 0, NULL, &r, &n));
+    if (n)
+        at = r[0].t;
+    ix_roots_free(ctx, r, n);
+    if (n)
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "curve %d has a pole at %g: its weight is zero; parts "
+                       "without poles (FFFINITE) are wanted",
+                       index + 1, at);
+    return IX_OK;
+}
+
 static ix_status check_curve(ix_ctx *ctx, const ix_mv *c, int index)
 {
     if (c->ndirs != 1 || c->ncoords != 2)
@@ -629,7 +652,7 @@ static ix_status check_curve(ix_ctx *ctx, const ix_mv *c, int index)
                        "operand %d has %d directions and %d coordinates: a "
                        "curve of the plane, with two, is needed",
                        index + 1, c->ndirs, c->ncoords);
-    return IX_OK;
+    return check_poles(ctx, c, index);
 }
 
 static int count_spans(int n, const ix_mv *const *crv)
