@@ -24,6 +24,13 @@ extern "C" {
 ix_status ix_crv_visible(ix_ctx *ctx, const ix_mv *crv, const double view[2],
                          bool point, ix_crvs *out) IX_MUST_CHECK;
 
+/* The same of n curves that hide each other: out[n], those of each curve. What
+ * is seen from the direction (0, -1) is their lower envelope; of parts that
+ * several curves share each shows its own. */
+ix_status ix_crvs_visible(ix_ctx *ctx, int n, const ix_mv *const *crv,
+                          const double view[2], bool point,
+                          ix_crvs *out) IX_MUST_CHECK;
+
 /* The boundary of the convex hull of a closed curve, counter-clockwise: arcs of
  * the curve and straight bridges between them, in one B-spline.
  *

@@ -59,14 +59,19 @@ ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r, int n)
     return IX_OK;
 }
 
-ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s)
+ix_status ix__marks_add_both(ix__marks *a, ix__marks *b, ix_solutions *s)
 {
     ix_status st = IX_OK;
 
     for (int i = 0; st == IX_OK && i < 2 * s->n; i++)
-        st = ix__marks_add(m, s->sol[i / 2].x[i % 2]);
-    ix_solutions_free(m->ctx, s);
+        st = ix__marks_add(i % 2 ? b : a, s->sol[i / 2].x[i % 2]);
+    ix_solutions_free(a->ctx, s);
     return st;
+}
+
+ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s)
+{
+    return ix__marks_add_both(m, m, s);
 }
 
 static int ascending(const void *a, const void *b)

@@ -27,6 +27,9 @@ ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r,
                               int n) IX_MUST_CHECK;
 /* Both parameters of pairs; releases s. */
 ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s) IX_MUST_CHECK;
+/* The first parameter of pairs to a, the second to b; releases s. */
+ix_status ix__marks_add_both(ix__marks *a, ix__marks *b,
+                             ix_solutions *s) IX_MUST_CHECK;
 /* Sorts them; one of those closer than 1e-9 of the domain stays. */
 void ix__marks_sort(ix__marks *m);
 /* Sorts them and leaves only so many that no part of the curve between two

@@ -12,6 +12,7 @@
 #include "iritx/geom.h"
 #include "iritx/geom_srf.h"
 #include "iritx/tile.h"
+#include "iritx/visible.h"
 #include "lang/args_freeform.h"
 #include "lang/interp.h"
 #include "mv/mv.h"
@@ -268,6 +269,34 @@ static ix_status add_pieces(ix_call *c, const ix_mv *m, const cuts *k,
     return IX_OK;
 }
 
+/* What is seen of all curves from below, or from a point. */
+static ix_status envelope(ix_call *c, int n, const ix_mv *const *m, bool radial)
+{
+    double view[3] = {0, -1, 0};
+    ix_obj_type type = c->argv[3]->type;
+    ix_obj *list;
+    ix_crvs *seen;
+    ix_status st;
+
+    if (radial && type != IX_OBJ_POINT && type != IX_OBJ_VECTOR &&
+        type != IX_OBJ_CTLPT)
+        return IX_ARG_FAIL(c, 3, "the center of a radial envelope is a point");
+    if (radial)
+        IX_TRY(ix__arg_pt3(c, 3, view));
+    IX_SCRATCH(c->ctx, seen, n);
+    IX_TRY(ix_crvs_visible(c->ctx, n, m, view, radial, seen));
+    list = ix__obj_list(c->ctx);
+    st = list ? IX_OK : IX_ENOMEM;
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; st == IX_OK && k < seen[i].n; k++)
+            st = ix__list_add(
+                c->ctx, list,
+                ix__obj_mv(c->ctx, IX_OBJ_CURVE, ix_mv_ref(seen[i].crv[k])));
+        ix_crvs_free(c->ctx, &seen[i]);
+    }
+    return ix__ret_list(c, list, st);
+}
+
 static ix_status carrangmnt(ix_call *c)
 {
     double eps = ix__arg_num(c, 1);
@@ -282,9 +311,7 @@ static ix_status carrangmnt(ix_call *c)
     if (!(eps >= 0))
         return IX_ARG_FAIL(c, 1, "a tolerance of %g", eps);
     if (op > 2)
-        return IX_ARG_FAIL(c, 2,
-                           "envelopes (3 and 4) are not known here; 1 marks "
-                           "and 2 cuts");
+        return envelope(c, n, m, op == 4);
     IX_SCRATCH(c->ctx, k, n);
     memset(k, 0, (size_t)n * sizeof *k);
     for (int i = 0; i < n; i++)
@@ -504,8 +531,10 @@ const ix_builtin ix__builtins_planar[] = {
     {"CARRANGMNT", "crvs:list eps:num op:num center:any -> list",
      "Planar curves and where they cross each other and themselves, parameters "
      "within eps counting as one: op 1 gives the curves with the list of "
-     "parameters as attribute InterPts, op 2 the pieces between them. The last "
-     "argument is not needed.",
+     "parameters as attribute InterPts, op 2 the pieces between them, op 3 "
+     "their lower envelope, the parts with nothing of any curve below them, op "
+     "4 the radial one, the parts that are seen from the point center. The "
+     "last argument is needed by op 4 only.",
      "c = circle(vector(0,0,0), 1); l = carrangmnt(list(c, c * tx(1)), 1e-8, "
      "2, 0);",
      carrangmnt, 0, 9},

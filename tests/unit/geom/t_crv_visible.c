@@ -156,6 +156,55 @@ static void seen_of_a_circle(void **state)
     gt_end(&t);
 }
 
+/* Law: the lower envelope of several curves is what is lowest at each x, by
+ * dense polygons of all. */
+static void lower_envelopes(void **state)
+{
+    static double p[3][DENSE + 1][2];
+    const double down[2] = {0, -1};
+    gt t = gt_begin(13);
+    int shown = 0, hidden = 0;
+
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        ix_mv *c[3];
+        ix_crvs v[3];
+        double dom[2];
+
+        for (int i = 0; i < 3; i++) {
+            c[i] = i ? gt_random(&t, 1, 2, 0, IX_RAND_BEZIER, 3)
+                     : closed_curve(&t, 3, true);
+            samples(&t, c[i], DENSE, p[i]);
+        }
+        ASSERT_OK(t.ctx, ix_crvs_visible(t.ctx, 3, (const ix_mv *const *)c,
+                                         down, false, v));
+        for (int i = 0; i < 3; i++) {
+            ix_mv_domain(c[i], 0, dom);
+            for (int j = 3; j < DENSE - 3; j += 11) {
+                double w = (dom[1] - dom[0]) / DENSE, x[IX_MAX_COORDS];
+                double u = dom[0] + w * (j + 0.5);
+                bool under = false;
+
+                if (near_an_end(&v[i], u, 8 * w))
+                    continue;
+                gt_point(&t, c[i], &u, x);
+                for (int l = 0; l < 3; l++)
+                    under = under ||
+                            blocked(p[l], l == i ? j : -9, 2, x, down, false);
+                if (is_in(&v[i], u) == under)
+                    fail_msg("round %d, curve %d at %g: %d", k, i, u, !under);
+                shown += !under;
+                hidden += under;
+            }
+            ix_crvs_free(t.ctx, &v[i]);
+        }
+        for (int i = 0; i < 3; i++)
+            ix_mv_unref(t.ctx, c[i]);
+    }
+    assert_true(shown > 100 && hidden > 100);
+    gt_end(&t);
+}
+
 /* Law: the hull turns only to the left, and reaches as far as the curve in all
  * directions; sampling leaves out 1e-5 of the size. */
 static void hull_as_sampled(void **state)
@@ -317,9 +366,10 @@ static void errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(seen_as_sampled),  cmocka_unit_test(seen_of_a_circle),
-        cmocka_unit_test(hull_as_sampled),  cmocka_unit_test(known_hulls),
-        cmocka_unit_test(pairs_as_sampled), cmocka_unit_test(errors)};
+        cmocka_unit_test(seen_as_sampled), cmocka_unit_test(seen_of_a_circle),
+        cmocka_unit_test(lower_envelopes), cmocka_unit_test(hull_as_sampled),
+        cmocka_unit_test(known_hulls),     cmocka_unit_test(pairs_as_sampled),
+        cmocka_unit_test(errors)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
