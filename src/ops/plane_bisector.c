@@ -77,9 +77,13 @@ typedef struct {
     int first, end;
 } part;
 
-static bool beyond(const ix__sample *s)
+/* Is s, towards an unbounded end, beyond the reach, and not that of the other
+ * end, from which something has to be left? */
+static bool beyond(const ix__sample *s, const ix__sample *end)
 {
-    return !(hypot(s->b[0], s->b[1]) <= REACH);
+    return !(hypot(s->b[0], s->b[1]) <= REACH) &&
+           hypot(s->b[0] - end->b[0], s->b[1] - end->b[1]) >
+               1e-3 * hypot(end->b[0], end->b[1]);
 }
 
 /* Unbounded ends keep one sample beyond the reach. */
@@ -88,10 +92,12 @@ static part within_reach(const maker *k, const ix__run *r)
     part p = {0, r->count};
 
     while (r->far[0] && p.first + 2 < p.end &&
-           beyond(ix__run_at(k->w, r, p.first + 1)))
+           beyond(ix__run_at(k->w, r, p.first + 1),
+                  ix__run_at(k->w, r, r->count - 1)))
         p.first++;
     while (r->far[1] && p.end - 2 > p.first &&
-           beyond(ix__run_at(k->w, r, p.end - 2)))
+           beyond(ix__run_at(k->w, r, p.end - 2),
+                  ix__run_at(k->w, r, p.first)))
         p.end--;
     return p;
 }

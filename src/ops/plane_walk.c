@@ -27,6 +27,9 @@
 /* A foot that moves farther (in spans) at one place jumps: less may be its
  * rounding where the circle nearly is that of curvature. */
 #define JUMP 1e-5
+/* Feet nearer than this part of the radius count as so far apart when steps are
+ * chosen: along nearly parallel curves they would be too many. */
+#define NARROW 0.05
 /* Beyond this distance the bisector goes to infinity, nearly straight. */
 #define FAR 4.0
 /* Pieces that were found lead to others; so often at most. */
@@ -191,6 +194,13 @@ static bool separates(const ix__walk *w, const ix__sample *o)
     return false;
 }
 
+/* Feet so near each other that the centre is known to half the digits. */
+static bool near_feet(const ix__sample *a)
+{
+    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]) <=
+           TOUCHING * fmin(a->r, 1.0);
+}
+
 /* Is the own foot on the other set too (the curves are the same there), or are
  * both feet one as far as can be told? */
 static bool on_both(const ix__walk *w, const ix__sample *o)
@@ -199,9 +209,7 @@ static bool on_both(const ix__walk *w, const ix__sample *o)
         return false;
     if (ix__set_distance(w->other, o->c, NULL) <= COMMON)
         return true;
-    return hypot(o->x[0] - o->c[0], o->x[1] - o->c[1]) <=
-               TOUCHING * fmin(o->r, 1.0) &&
-           !separates(w, o);
+    return near_feet(o) && !separates(w, o);
 }
 
 static double way(const ix__set *s, const ix__touch *a, const ix__touch *b);
@@ -468,6 +476,28 @@ static bool as_promised(double covered, double h, const double v[3], bool far,
     return far && fabs(fabs(covered) - mean) <= 0.05 * fabs(covered) + least;
 }
 
+/* Can what comes between the samples a, m and b, and is seen by none of them,
+ * be told from the chords between them?
+ *
+ * A point y outside the circles around a and m is outside that around the
+ * middle between them but for l^2 / (8 r), l their distance: |y - .|^2 is
+ * convex, with second derivative 2, and so is the radius squared less that. The
+ * difference of both distances grows with |x - c| / r across the bisector, x
+ * and c the feet: it moves by l^2 / (8 |x - c|) at most. */
+static bool nothing_between(const ix__walk *w, const ix__sample *a,
+                            const ix__sample *b)
+{
+    double size = fmax(1.0,
+                       fmin(hypot(a->b[0], a->b[1]), hypot(b->b[0], b->b[1])));
+    double len = 0.5 * hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
+    double apart = fmin(hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]),
+                        hypot(b->x[0] - b->c[0], b->x[1] - b->c[1]));
+
+    apart = fmax(apart, NARROW * fmin(a->r, b->r));
+    return fmax(a->r, b->r) <= w->tol * size || size > FAR ||
+           len * len <= 8.0 * w->tol * size * apart;
+}
+
 /* Nothing happens between a and b, of which m is the middle. */
 static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
                    const ix__sample *b)
@@ -482,6 +512,8 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
     size = fmax(1.0, hypot(m->b[0], m->b[1]));
     if (a->own_circle)
         return true;
+    if (!nothing_between(w, a, b))
+        return false;
     if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]), b->at - a->at,
                      speed, size > FAR, 0.1 * w->tol * size))
         return false;
@@ -809,13 +841,6 @@ static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     return ea->kind == IX__SIDE || ea->index == eb->index;
 }
 
-/* Feet so near each other that the centre is known to half the digits. */
-static bool near_feet(const ix__sample *a)
-{
-    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]) <=
-           TOUCHING * fmin(a->r, 1.0);
-}
-
 static bool meets(const ix__sample *a, const ix__sample *b)
 {
     double tol = near_feet(a) || near_feet(b) ? 1e-6 : 1e-7;
@@ -901,11 +926,27 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
     }
 }
 
-/* Is the place in a run, or would it be no centre? */
+/* Is m, between two samples of a run, what they lead to expect? */
+static bool as_expected(const ix__walk *w, const ix__sample *a,
+                        const ix__sample *m, const ix__sample *b)
+{
+    double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
+    double e[2] = {m->b[0] - a->b[0], m->b[1] - a->b[1]};
+    double len = hypot(d[0], d[1]), size = fmax(1.0, hypot(m->b[0], m->b[1]));
+    double tol = 2.0 * w->tol * size;
+
+    if (!m->valid || !same_feet(w, a, m))
+        return false;
+    return hypot(e[0], e[1]) <= len + tol &&
+           fabs(d[0] * e[1] - d[1] * e[0]) <= tol * fmax(len, tol);
+}
+
+/* Is what is at that place known from the samples around it? */
 static bool explored(const ix__walk *w, const ix__walked *o, ix__place p)
 {
     ix__sample s;
 
+    ix__walk_sample(w, p.border, p.at, &s);
     for (int i = 0; i < o->nloops; i++) {
         const ix__loop *l = &w->own->loop[i];
         const ix__sample *at = o->samples[i];
@@ -923,9 +964,8 @@ static bool explored(const ix__walk *w, const ix__walked *o, ix__place p)
                 hi = m;
         }
         if (joins(w, &at[lo], &at[hi]))
-            return true;
+            return as_expected(w, &at[lo], &s, &at[hi]);
     }
-    ix__walk_sample(w, p.border, p.at, &s);
     return !s.valid;
 }
 

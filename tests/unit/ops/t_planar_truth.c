@@ -359,6 +359,21 @@ static void check(ix_ctx *ctx, int kind, int pair)
     }
 }
 
+/* Pairs in which something was wrong once: a piece that bends both ways between
+ * two vertices; a part that came and went between two. */
+static void found(void **state)
+{
+    static const int which[][2] = {{0, 287}, {5, 1028}};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof which / sizeof *which; i++) {
+        ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+
+        check(ctx, which[i][0], which[i][1]);
+        ix_ctx_free(ctx);
+    }
+}
+
 static void pairs(void **state)
 {
     const char *one = getenv("IX_TEST_KIND");
@@ -380,6 +395,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs),
+        cmocka_unit_test(found),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
