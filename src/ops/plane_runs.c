@@ -1,0 +1,300 @@
+/* plane_runs.c - where else to look, and runs of samples on which nothing
+ * changes. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ops/plane_walk_impl.h"
+
+/* Pieces that were found lead to others; so often at most. */
+enum { ROUNDS = 8 };
+
+/* --- seeds -----------------------------------------------------------------
+ */
+
+typedef struct {
+    ix_ctx *ctx;
+    int n, room;
+    ix__place *p;
+} places;
+
+static ix_status add_place(places *l, ix__place p)
+{
+    if (l->n == l->room) {
+        ix__place *more;
+
+        l->room = l->room ? 2 * l->room : 64;
+        IX_SCRATCH(l->ctx, more, l->room);
+        if (l->n)
+            memcpy(more, l->p, (size_t)l->n * sizeof *more);
+        l->p = more;
+    }
+    l->p[l->n++] = p;
+    return IX_OK;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const ix__place *p = a, *q = b;
+
+    if (p->border != q->border)
+        return p->border < q->border ? -1 : 1;
+    return (p->at > q->at) - (p->at < q->at);
+}
+
+/* Places of the own border that are seen from the other one. */
+static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
+{
+    ix__walk back = {w->other, w->own, w->tol, w->grid, w->meeting};
+    ix__sample s;
+    ix__place p;
+
+    for (int i = 0; i < w->other->nborders; i++)
+        for (int j = 0; j <= w->grid; j++) {
+            IX_TRY(ix__poll(ctx));
+            ix__walk_sample(&back, i, (double)j / w->grid, &s);
+            if (s.valid && ix__border_place(w->own, &s.foot, s.b, &p))
+                IX_TRY(add_place(l, p));
+        }
+    return IX_OK;
+}
+
+/* --- runs ------------------------------------------------------------------
+ */
+
+/* Is there a corner without a fan, of less than 180 degrees, between two sides?
+ * However shallow it is, no circle touches there. */
+static bool at_corner(const ix__walk *w, const ix__sample *a,
+                      const ix__sample *b)
+{
+    const ix__border *e = &w->own->border[a->border];
+
+    return a->border != b->border && e->kind == IX__SIDE &&
+           w->own->span[e->index].vertex[e->side > 0] >= 0;
+}
+
+static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
+{
+    const ix__border *ea = &w->own->border[a->border];
+    const ix__border *eb = &w->own->border[b->border];
+
+    if (!a->valid || !b->valid || a->cut || !ix__same_feet(w, a, b) ||
+        ix__walk_turns(w, a, b) || ix__passes_seam(w, a, b) ||
+        at_corner(w, a, b))
+        return false;
+    if (ea->kind != eb->kind)
+        return false;
+    return ea->kind == IX__SIDE || ea->index == eb->index;
+}
+
+static bool meets(const ix__sample *a, const ix__sample *b)
+{
+    double tol = ix__near_feet(a) || ix__near_feet(b) ? 1e-6 : 1e-7;
+
+    return hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <=
+           tol * fmax(1.0, a->b[0] * a->b[0] + a->b[1] * a->b[1]);
+}
+
+/* Length along the samples: runs between two neighbours in double are none, nor
+ * those at infinity that are one place of the border, nor those that rounding
+ * makes of a place where both feet come together. */
+static bool has_length(const ix__walked *o, const ix__run *r)
+{
+    const ix__sample *first = ix__run_at(o, r, 0);
+    const ix__sample *last = ix__run_at(o, r, r->count - 1);
+    bool vague = ix__near_feet(first) && !first->own_circle && first->r > 1e-6;
+    double len = 0.0, least = vague ? 1e-7 : 1e-11;
+
+    if (first->normal)
+        return true;
+    if (first->border == last->border && fabs(last->at - first->at) <= 1e-12)
+        return false;
+    for (int i = 1; i < r->count && len <= least; i++) {
+        const ix__sample *b = ix__run_at(o, r, i);
+
+        len = fmax(len, hypot(b->b[0] - first->b[0], b->b[1] - first->b[1]));
+    }
+    return len > least;
+}
+
+static void add_run(ix__walked *o, ix__run r)
+{
+    ix__run *before = o->nruns ? &o->run[o->nruns - 1] : NULL;
+
+    if (!has_length(o, &r))
+        return;
+    if (before && before->loop == r.loop)
+        r.joined = !before->far[1] && !r.far[0] &&
+                   meets(ix__run_at(o, before, before->count - 1),
+                         ix__run_at(o, &r, 0));
+    o->run[o->nruns++] = r;
+}
+
+/* Where to begin: behind a place at infinity, else behind any break. */
+static int beginning(const ix__walk *w, int n, const ix__sample *s)
+{
+    int at = 0;
+
+    for (int i = 0; i < n; i++)
+        if (s[i].far && s[(i + 1) % n].valid)
+            return (i + 1) % n;
+    for (int i = 0; i < n; i++)
+        if (!s[i].valid && s[(i + 1) % n].valid)
+            return (i + 1) % n;
+    for (int i = 0; i < n; i++)
+        if (!joins(w, &s[i], &s[(i + 1) % n]))
+            at = (i + 1) % n;
+    return at;
+}
+
+static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
+{
+    int n = o->counts[loop], i = 0, begin;
+    const ix__sample *s = o->samples[loop];
+
+    if (n == 0)
+        return;
+    begin = beginning(w, n, s);
+    while (i < n) {
+        ix__run r = {.first = (begin + i) % n, .count = 1, .loop = loop};
+
+        if (!s[r.first].valid) {
+            i++;
+            continue;
+        }
+        while (i + r.count < n && joins(w, &s[(begin + i + r.count - 1) % n],
+                                        &s[(begin + i + r.count) % n]))
+            r.count++;
+        r.far[0] = s[(r.first + n - 1) % n].far;
+        r.far[1] = s[(r.first + r.count) % n].far;
+        add_run(o, r);
+        i += r.count;
+    }
+}
+
+/* Is m, between two samples of a run, what they lead to expect? */
+static bool as_expected(const ix__walk *w, const ix__sample *a,
+                        const ix__sample *m, const ix__sample *b)
+{
+    double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
+    double e[2] = {m->b[0] - a->b[0], m->b[1] - a->b[1]};
+    double len = hypot(d[0], d[1]), size = fmax(1.0, hypot(m->b[0], m->b[1]));
+    double tol = 2.0 * w->tol * size;
+
+    if (!m->valid || !ix__same_feet(w, a, m))
+        return false;
+    return hypot(e[0], e[1]) <= len + tol &&
+           fabs(d[0] * e[1] - d[1] * e[0]) <= tol * fmax(len, tol);
+}
+
+/* Is what is at that place known from the samples around it? */
+static bool explored(const ix__walk *w, const ix__walked *o, ix__place p)
+{
+    ix__sample s;
+
+    ix__walk_sample(w, p.border, p.at, &s);
+    for (int i = 0; i < o->nloops; i++) {
+        const ix__loop *l = &w->own->loop[i];
+        const ix__sample *at = o->samples[i];
+        int lo = 0, hi = o->counts[i] - 1;
+
+        if (p.border < l->first || p.border >= l->first + l->count || hi < 1)
+            continue;
+        while (hi - lo > 1) {
+            int m = (lo + hi) / 2;
+            ix__place q = {at[m].border, at[m].at};
+
+            if (by_place(&q, &p) <= 0)
+                lo = m;
+            else
+                hi = m;
+        }
+        if (joins(w, &at[lo], &at[hi]))
+            return as_expected(w, &at[lo], &s, &at[hi]);
+    }
+    return !s.valid;
+}
+
+/* Places around p on which nothing is known; *added counts them. The place
+ * itself is where three feet are equally far, known to 1e-7 where the circle
+ * touches at the end of one of the curves. */
+static ix_status unexplored(const ix__walk *w, const ix__walked *o, ix__place p,
+                            places *l, int *added)
+{
+    static const double step[] = {0, 1e-7, -1e-7, 1e-5, -1e-5, 1e-3, -1e-3};
+
+    for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
+        ix__place q = {p.border, p.at + step[i]};
+
+        if (!(q.at > 0.0 && q.at < 1.0) || explored(w, o, q))
+            continue;
+        IX_TRY(add_place(l, q));
+        ++*added;
+    }
+    return IX_OK;
+}
+
+/* Where the own set blocks, the bisector goes on from what blocks it. */
+static ix_status seeds_from_blocks(const ix__walk *w, const ix__walked *o,
+                                   int loop, places *l, int *added)
+{
+    const ix__sample *s = o->samples[loop];
+    int n = o->counts[loop];
+
+    for (int i = 0; i < n; i++) {
+        const ix__sample *a = &s[i], *b = &s[(i + 1) % n], *bad, *good;
+        ix__place p;
+
+        if (a->valid == b->valid)
+            continue;
+        good = a->valid ? a : b;
+        bad = a->valid ? b : a;
+        if (bad->blocked && ix__border_place(w->own, &bad->foot, good->b, &p))
+            IX_TRY(unexplored(w, o, p, l, added));
+    }
+    return IX_OK;
+}
+
+static ix_status walk_loops(ix_ctx *ctx, const ix__walk *w, places *seeds,
+                            ix__walked *out)
+{
+    size_t total = 0;
+
+    if (seeds->n)
+        qsort(seeds->p, (size_t)seeds->n, sizeof *seeds->p, by_place);
+    for (int i = 0; i < out->nloops; i++) {
+        IX_TRY(ix__walk_loop(ctx, w, i, seeds->n, seeds->p, &out->counts[i],
+                             &out->samples[i]));
+        total += (size_t)out->counts[i];
+    }
+    IX_SCRATCH(ctx, out->run, total + 1);
+    out->nruns = 0;
+    for (int i = 0; i < out->nloops; i++)
+        runs_of_loop(w, i, out);
+    return IX_OK;
+}
+
+ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
+                       const ix__place *first, ix__walked *out)
+{
+    places seeds = {.ctx = ctx};
+
+    *out = (ix__walked){.nloops = w->own->nloops};
+    IX_SCRATCH(ctx, out->samples, out->nloops);
+    IX_SCRATCH(ctx, out->counts, out->nloops);
+    for (int i = 0; i < nseeds; i++)
+        IX_TRY(add_place(&seeds, first[i]));
+    if (w->own != w->other)
+        IX_TRY(seeds_from_other(ctx, w, &seeds));
+    IX_TRY(walk_loops(ctx, w, &seeds, out));
+    for (int i = 0; w->own != w->other && i < ROUNDS; i++) {
+        int added = 0;
+
+        for (int j = 0; j < out->nloops; j++)
+            IX_TRY(seeds_from_blocks(w, out, j, &seeds, &added));
+        if (added == 0)
+            break;
+        IX_TRY(walk_loops(ctx, w, &seeds, out));
+    }
+    return IX_OK;
+}
