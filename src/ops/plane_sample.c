@@ -14,6 +14,7 @@
 /* With two sets, feet nearer than this part of the radius are looked at: what
  * is beside the centre tells whether it is on the bisector. */
 #define TOUCHING   4e-3
+#define NEXT       1e-8 /* steps aside are as long as that, and ten times more */
 #define ASIDE      1e-5  /* so far beside, below any tolerance that is usual */
 #define ASIDE_FAR  1e-2  /* times the radius: there the bisector is straight */
 #define TOLD_APART 2e-14 /* distances differ by more than their rounding */
@@ -170,7 +171,7 @@ static bool separates(const ix__walk *w, const ix__sample *o)
         return false;
     m[0] /= len;
     m[1] /= len;
-    for (double h = ASIDE * size; h <= 1.001 * most; h *= 10.0) {
+    for (double h = NEXT * size; h <= 1.001 * most; h *= 10.0) {
         double own = -beside(w, o, m, -h), other = beside(w, o, m, h);
 
         if (fmin(fabs(own), fabs(other)) > TOLD_APART * size)
