@@ -96,8 +96,7 @@ static part within_reach(const maker *k, const ix__run *r)
                   ix__run_at(k->w, r, r->count - 1)))
         p.first++;
     while (r->far[1] && p.end - 2 > p.first &&
-           beyond(ix__run_at(k->w, r, p.end - 2),
-                  ix__run_at(k->w, r, p.first)))
+           beyond(ix__run_at(k->w, r, p.end - 2), ix__run_at(k->w, r, p.first)))
         p.end--;
     return p;
 }
