@@ -64,7 +64,7 @@ static ix_status number(ix_ctx *ctx, chains *c)
                                : 0;
         p[h].h = h;
     }
-    qsort(p, (size_t)(2 * c->n), sizeof *p, by_cell);
+    qsort(p, 2 * (size_t)c->n, sizeof *p, by_cell);
     for (int i = 0; i < 2 * c->n; i++) {
         if (i > 0 && memcmp(p[i].cell, p[i - 1].cell, sizeof p[i].cell) != 0)
             nodes++;

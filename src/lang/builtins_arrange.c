@@ -315,7 +315,7 @@ static int reached(const ix_arrangement *a)
 static ix_status report(job *j)
 {
     const ix_arrangement *a = j->k->a;
-    const double counts[5] = {a->nedges, reached(a), a->nhalf / 2, a->nfaces,
+    const double counts[5] = {a->nedges, reached(a), 0.5 * a->nhalf, a->nfaces,
                               a->ncomponents};
     int mask = (int)round(j->num[0]);
     ix_status st;

@@ -431,8 +431,8 @@ static ix_status check_ruled(ix_ctx *ctx, const ix__line_contact *c)
     int with = 0, flat = 0;
 
     for (int i = 0; i < GRID * GRID; i++) {
-        const double uv[2] = {(i % GRID + 0.5153) / GRID,
-                              ((double)(i / GRID) + 0.4831) / GRID};
+        int column = i % GRID, row = i / GRID;
+        const double uv[2] = {(column + 0.5153) / GRID, (row + 0.4831) / GRID};
         ix_mv *g, *f = NULL;
         double least = HUGE_VAL;
         int count = 0;
