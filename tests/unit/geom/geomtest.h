@@ -93,11 +93,4 @@ static inline void gt_same(const double *p, const double *q, int n, double tol)
         ASSERT_CLOSE(p[i], q[i], tol);
 }
 
-typedef ix_build_case gt_fault;
-
-static inline void gt_fault_all(gt_fault *f)
-{
-    ix_build_faults(f);
-}
-
 #endif

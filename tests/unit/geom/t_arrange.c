@@ -430,7 +430,7 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double p[6] = {-1, 0, 1, 0, 1, 0}, q[4] = {-1, 1, 0.25, 0.25};
     const ix_dir d[2] = {{.basis = IX_BEZIER, .order = 3, .length = 3},
@@ -458,7 +458,7 @@ static ix_status steps(ix_ctx *ctx, ix_arrangement *a, ix_mv **out)
     return IX_OK;
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     ix_arrangement *a;
     ix_status st;
@@ -472,7 +472,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

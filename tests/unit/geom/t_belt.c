@@ -60,13 +60,13 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     (void)ctx;
     (void)f;
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double p[3][3] = {{0, 0, 1}, {5, 1, -0.5}, {2, 6, 1}};
     const double tri[3][2] = {{0, 0}, {3, 0}, {0, 2}};
@@ -91,7 +91,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void test_memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

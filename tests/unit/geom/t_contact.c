@@ -46,7 +46,7 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double a[12] = {0, 4, 0, 4, 0, 0, 4, 4, 0, 0, 1, 0.5};
     const double b[12] = {1, 1, 3, 3, 1, 1, 2, 3, -2, 2, -2, 2};
@@ -60,7 +60,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_mv_new(ctx, 1, d, 1, false, r, &f->in[3]));
 }
 
-static ix_status fields(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status fields(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double z[3] = {0.1, 0.2, 1}, p[3] = {0, 0, 3};
     const ix_mv *c[4] = {f->in[2], f->in[3], f->in[2], f->in[3]};
@@ -75,7 +75,7 @@ static ix_status fields(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
     return ix__ruled_meet_field(ctx, c, out);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     ix_solution_curves k;
     ix_solutions s;
@@ -90,7 +90,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void test_memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -256,7 +256,7 @@ static void errors(void **state)
 /* --- memory ----------------------------------------------------------------
  */
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double p[6] = {0, 1, 2, 0, 2, 0};
     const ix_dir d = {.basis = IX_BEZIER, .order = 3, .length = 3};
@@ -266,24 +266,24 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_srf_extrude(ctx, f->in[0], up, &f->in[1]));
 }
 
-static ix_status build_curve(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_curve(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_offset_opts how = {.distance = 0.4, .tol = 1e-2};
 
     return ix_crv_offset(ctx, f->in[0], &how, NULL, out);
 }
 
-static ix_status build_fit(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_fit(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_crv_offset_fit(ctx, f->in[0], 0.4, 20, 6, 4, NULL, out);
 }
 
-static ix_status build_surface(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_surface(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_offset(ctx, f->in[1], 0.4, 0.1, NULL, out);
 }
 
-static ix_status build_trim(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_trim(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     ix_crvs p;
 
@@ -296,10 +296,10 @@ static ix_status build_trim(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build_curve});
-    gt_fault_all(&(gt_fault){.make = make, .build = build_fit});
-    gt_fault_all(&(gt_fault){.make = make, .build = build_surface});
-    gt_fault_all(&(gt_fault){.make = make, .build = build_trim});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build_curve});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build_fit});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build_surface});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build_trim});
 }
 
 int main(void)

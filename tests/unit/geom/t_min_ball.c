@@ -171,7 +171,7 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double p[6] = {0, 1, 2, 0, 2, 0};
     const ix_dir d = {.basis = IX_BEZIER, .order = 3, .length = 3};
@@ -179,7 +179,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_mv_new(ctx, 1, &d, 2, false, p, &f->in[0]));
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double v[2][3] = {{1, 0, 0}, {1, 1, 0}};
     double axis[3], angle;
@@ -194,7 +194,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -181,20 +181,20 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(35)};
 
     f->in[0] = gt_random(&t, 3, 1, 0, IX_RAND_BEZIER, 3);
 }
 
-static ix_status build_nodes(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_nodes(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_mv_fit_nodes(ctx, f->in[0], (const int[3]){2, 0, 0},
                            (const int[3]){2, 0, 0}, out);
 }
 
-static ix_status build_points(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_points(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double t[8] = {0, 1, 0, 1, 0, 0, 1, 1}, v[4] = {1, 2, 3, 4};
     const int two[2] = {2, 2};
@@ -205,12 +205,12 @@ static ix_status build_points(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void out_of_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build_nodes};
+    ix_build_case f = {.make = make, .build = build_nodes};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_points;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

@@ -100,31 +100,31 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(64)};
 
     f->in[0] = gt_random(&t, 2, 2, 1, IX_RAND_PERIODIC, 2);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_mv_moebius(ctx, f->in[0], 1, 2, out);
 }
 
-static ix_status build_morph(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_morph(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_mv_morph(ctx, f->in[0], f->in[0], 0.5, out);
 }
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_morph;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

@@ -211,14 +211,14 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double zero[3] = {0, 0, 0};
 
     ASSERT_OK(ctx, ix_circle(ctx, zero, 1, &f->in[0]));
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_tile_opts o = {.angle = 1, .size = 0.4, .smooth = 1};
     ix_quads q;
@@ -232,7 +232,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -222,14 +222,14 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(5)};
 
     f->in[0] = leaning_cylinder(&t);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_ruled_opts o = {.dir = 0, .extend = 0.4, .samples = 2};
 
@@ -238,10 +238,10 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void out_of_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

@@ -152,7 +152,7 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(35)};
 
@@ -160,24 +160,24 @@ static void make(ix_ctx *ctx, gt_fault *f)
     f->in[1] = gt_random(&t, 1, 2, -1, IX_RAND_OPEN, 3);
 }
 
-static ix_status build_swung(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_swung(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_swung(ctx, f->in[0], f->in[1], out);
 }
 
-static ix_status build_normal(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_normal(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_distance(ctx, f->in[0], f->in[1], IX_DIST_NORMAL_B, out);
 }
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build_swung};
+    ix_build_case f = {.make = make, .build = build_swung};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_normal;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

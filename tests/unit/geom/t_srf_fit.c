@@ -164,7 +164,7 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(105)};
 
@@ -173,13 +173,13 @@ static void make(ix_ctx *ctx, gt_fault *f)
     f->in[3] = gt_random(&t, 2, 3, -1, IX_RAND_BEZIER, 3);
 }
 
-static ix_status build_skin(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_skin(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_skin(ctx, 3, (const ix_mv *const *)f->in, 3, IX_KV_OPEN,
                        IX_PARAM_CHORD, out);
 }
 
-static ix_status build_surface(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_surface(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     double err;
 
@@ -187,7 +187,7 @@ static ix_status build_surface(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
                               &err, out);
 }
 
-static ix_status build_points(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_points(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double uv[8] = {0, 1, 0, 1, 0, 0, 1, 1}, v[4] = {1, 2, 3, 4};
 
@@ -198,14 +198,14 @@ static ix_status build_points(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build_skin};
+    ix_build_case f = {.make = make, .build = build_skin};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_surface;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_points;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

@@ -204,7 +204,7 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make_curves(ix_ctx *ctx, gt_fault *f)
+static void make_curves(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(7)};
 
@@ -213,39 +213,39 @@ static void make_curves(ix_ctx *ctx, gt_fault *f)
                              i % 2 ? IX_RAND_OPEN : IX_RAND_BEZIER, 2);
 }
 
-static ix_status build_ruled(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_ruled(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_ruled(ctx, f->in[0], f->in[1], out);
 }
 
-static ix_status build_layers(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_layers(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_layers(ctx, 4, (const ix_mv *const *)f->in, 3, IX_KV_PERIODIC,
                          out);
 }
 
-static ix_status build_extrude(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_extrude(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_extrude(ctx, f->in[1], (const double[3]){0, 1, 2}, out);
 }
 
-static ix_status build_hermite(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_hermite(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_hermite(ctx, f->in[0], f->in[1], f->in[2], f->in[3], out);
 }
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make_curves, .build = build_ruled};
+    ix_build_case f = {.make = make_curves, .build = build_ruled};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_layers;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_extrude;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_hermite;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

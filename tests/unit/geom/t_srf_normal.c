@@ -126,14 +126,14 @@ static void test_degenerate(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(44)};
 
     f->in[0] = gt_random(&t, 2, 2, 1, IX_RAND_BEZIER, 2);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     double axis[3], angle;
     ix_status st = ix_srf_normal_cone(ctx, f->in[0], axis, &angle);
@@ -143,10 +143,10 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

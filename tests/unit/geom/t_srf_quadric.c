@@ -166,13 +166,13 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     (void)ctx;
     (void)f;
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double c[10] = {1, 2, 3, 0, 0, 0, 0, 0, 0, -4};
 
@@ -182,10 +182,10 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

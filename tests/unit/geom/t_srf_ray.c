@@ -129,7 +129,7 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double p[12] = {0, 1, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0};
     const ix_dir d[2] = {{.basis = IX_BEZIER, .order = 2, .length = 2},
@@ -138,7 +138,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_mv_new(ctx, 2, d, 3, false, p, &f->in[0]));
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const double p[3] = {0.5, 0.5, 3}, d[3] = {0, 0, -1}, v[3] = {1, 0.2, 0};
     ix_solutions h;
@@ -154,7 +154,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

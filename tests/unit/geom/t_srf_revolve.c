@@ -245,7 +245,7 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(17)};
 
@@ -253,19 +253,19 @@ static void make(ix_ctx *ctx, gt_fault *f)
     f->in[1] = gt_random(&t, 2, 3, -1, IX_RAND_BEZIER, 3);
 }
 
-static ix_status build_volume(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_volume(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_revolution r = {.a0 = 10, .a1 = 100, .axis = {1, 2, 3}};
 
     return ix_tv_revolve_about(ctx, f->in[1], &r, out);
 }
 
-static ix_status build_full(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_full(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_revolve(ctx, f->in[0], IX_TURN_POLYNOMIAL, out);
 }
 
-static ix_status build_axis(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build_axis(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     return ix_srf_revolve_axis(ctx, f->in[0], 10, 250,
                                (const double[3]){1, 2, 3}, out);
@@ -273,14 +273,14 @@ static ix_status build_axis(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build_full};
+    ix_build_case f = {.make = make, .build = build_full};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_axis;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
     f.build = build_volume;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

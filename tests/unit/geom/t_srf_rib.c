@@ -231,7 +231,7 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     static const double flat[15] = {1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 1.2, 1, 0, 0};
     static const double line[4] = {0.3, 0.7, 0.5, 0.5};
@@ -244,7 +244,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_mv_new(ctx, 2, d, 2, true, flat, &f->in[2]));
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_rib o = {.path = f->in[1],
                       .section = f->in[0],
@@ -257,10 +257,10 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void out_of_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

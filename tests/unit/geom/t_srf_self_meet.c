@@ -324,7 +324,7 @@ static void errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     const double p[9] = {0, 1, 0, 0, 1, 2, 0, 0, 0};
     const ix_dir d = {.basis = IX_BEZIER, .order = 3, .length = 3};
@@ -338,7 +338,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ix_mv_unref(ctx, s);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     ix_solution_curves s;
 
@@ -351,7 +351,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

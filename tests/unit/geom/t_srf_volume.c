@@ -102,14 +102,14 @@ static void test_errors(void **state)
     gt_end(&t);
 }
 
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     gt t = {ctx, ix_rng_new(114)};
 
     f->in[0] = gt_random(&t, 2, 3, -1, IX_RAND_OPEN, 2);
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_volume v = {.power = {1, 0, 1}};
     double a;
@@ -120,10 +120,10 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 
 static void test_no_memory(void **state)
 {
-    gt_fault f = {.make = make, .build = build};
+    ix_build_case f = {.make = make, .build = build};
 
     (void)state;
-    gt_fault_all(&f);
+    ix_build_faults(&f);
 }
 
 int main(void)

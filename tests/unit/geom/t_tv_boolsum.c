@@ -65,7 +65,7 @@ static void test_errors(void **state)
 }
 
 /* A square, a tube of four sides, a section. */
-static void make(ix_ctx *ctx, gt_fault *f)
+static void make(ix_ctx *ctx, ix_build_case *f)
 {
     static const double square[12] = {0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0};
     static const double tube[30] = {0, 1, 1, 0, 0, 0, 2, 2, 0, 0,
@@ -83,7 +83,7 @@ static void make(ix_ctx *ctx, gt_fault *f)
     ASSERT_OK(ctx, ix_mv_new(ctx, 1, d, 2, false, section, &f->in[2]));
 }
 
-static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
+static ix_status build(ix_ctx *ctx, const ix_build_case *f, ix_mv **out)
 {
     const ix_mv *c[6] = {f->in[2], f->in[2], f->in[2],
                          f->in[2], f->in[2], f->in[2]};
@@ -108,7 +108,7 @@ static ix_status build(ix_ctx *ctx, const gt_fault *f, ix_mv **out)
 static void test_memory(void **state)
 {
     (void)state;
-    gt_fault_all(&(gt_fault){.make = make, .build = build});
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

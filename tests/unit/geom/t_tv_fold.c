@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/geom_srf.h"
 
@@ -237,45 +237,30 @@ static void errors(void **state)
     ix_mv_unref(ctx, flat);
 }
 
-typedef struct {
-    ix_mv *m;
-    ix_lines l;
-} job;
-
-static void job_setup(ix_ctx *c, void *state)
+static void make(ix_ctx *c, ix_build_case *f)
 {
-    job *j = state;
     ix_ctx *keep = ctx;
 
     ctx = c; /* for ball */
-    j->m = ball();
+    f->in[0] = ball();
     ctx = keep;
-    j->l = (ix_lines){.n = 0};
 }
 
-static ix_status job_run(ix_ctx *c, void *state)
+static ix_status build(ix_ctx *c, const ix_build_case *f, ix_mv **out)
 {
     static const int cells[3] = {2, 2, 2};
-    job *j = state;
+    ix_lines l;
 
-    return ix_tv_fold(c, j->m, cells, true, &j->l);
-}
-
-static void job_teardown(ix_ctx *c, void *state)
-{
-    job *j = state;
-
-    ix_mv_unref(c, j->m);
-    ix_lines_free(c, &j->l);
+    IX_TRY(ix_tv_fold(c, f->in[0], cells, true, &l));
+    ix_lines_free(c, &l);
+    *out = ix_mv_ref(f->in[0]);
+    return IX_OK;
 }
 
 static void every_allocation_fails(void **state)
 {
-    job j;
-    ix_fault_case c = {job_setup, job_run, job_teardown, &j};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "geom/vec3.h"
-#include "harness/fault.h"
+#include "harness/build_case.h"
 #include "harness/randmv.h"
 #include "iritx/contour.h"
 #include "iritx/ops_srf.h"
@@ -193,51 +193,35 @@ static void errors(void **state)
     ix_mv_unref(ctx, t);
 }
 
-typedef struct {
-    ix_mv *s;
-    ix_aspects a;
-} job;
-
-/* z = u^2 + v^2 - 0.38 u^2 v^2: parabolic near a corner. */
-static void job_setup(ix_ctx *c, void *state)
+static void make(ix_ctx *c, ix_build_case *f)
 {
     const ix_dir dirs[2] = {{IX_BEZIER, 3, 3, false, NULL},
                             {IX_BEZIER, 3, 3, false, NULL}};
     static const double z[9] = {0, 0, 1, 0, 0, 1, 1, 1, 1.62};
     double pts[27];
-    job *j = state;
 
     for (int i = 0; i < 9; i++) {
         pts[i] = 0.5 * (i % 3);
         pts[9 + i] = 0.5 * (double)(i / 3);
         pts[18 + i] = z[i];
     }
-    ASSERT_OK(c, ix_mv_new(c, 2, dirs, 3, false, pts, &j->s));
-    j->a = (ix_aspects){.complete = false};
+    ASSERT_OK(c, ix_mv_new(c, 2, dirs, 3, false, pts, &f->in[0]));
 }
 
-static ix_status job_run(ix_ctx *c, void *state)
+static ix_status build(ix_ctx *c, const ix_build_case *f, ix_mv **out)
 {
-    job *j = state;
+    ix_aspects a;
 
-    return ix_srf_aspects(c, j->s, 0.5, &j->a);
-}
-
-static void job_teardown(ix_ctx *c, void *state)
-{
-    job *j = state;
-
-    ix_mv_unref(c, j->s);
-    ix_aspects_free(c, &j->a);
+    IX_TRY(ix_srf_aspects(c, f->in[0], 0.5, &a));
+    ix_aspects_free(c, &a);
+    *out = ix_mv_ref(f->in[0]);
+    return IX_OK;
 }
 
 static void every_allocation_fails(void **state)
 {
-    job j;
-    ix_fault_case c = {job_setup, job_run, job_teardown, &j};
-
     (void)state;
-    assert_true(ix_fault_run(&c) > 0);
+    ix_build_faults(&(ix_build_case){.make = make, .build = build});
 }
 
 int main(void)
