@@ -59,7 +59,7 @@ typedef struct {
     const char *args[MAX_ARGS]; /* ended by NULL */
     const char *input;          /* NULL: none; else what stdin holds */
     const char *output;         /* NULL: caught; else a file; "-": closed */
-    int signal;                 /* sent after a while */
+    int signal;                 /* sent when it is at work */
 } run_case;
 
 typedef struct {
@@ -105,6 +105,35 @@ static void read_all(int fd, char *buf, size_t size)
     (void)close(fd);
 }
 
+/* Does the process catch the signal? As Linux tells it. */
+static bool catches(pid_t pid, int number)
+{
+    char path[64], line[256];
+    unsigned long long mask = 0;
+    FILE *f;
+
+    (void)snprintf(path, sizeof path, "/proc/%ld/status", (long)pid);
+    f = fopen(path, "r");
+    while (f && fgets(line, sizeof line, f))
+        if (strncmp(line, "SigCgt:", 7) == 0)
+            mask = strtoull(line + 7, NULL, 16);
+    if (f)
+        (void)fclose(f);
+    return mask >> (number - 1) & 1;
+}
+
+/* Sends it when the program is ready for it, which takes long where the machine
+ * is busy, and has been at work for a moment. */
+static void send_signal(pid_t pid, int number)
+{
+    const struct timespec moment = {0, 60000000};
+
+    for (int i = 0; i < 200 && !catches(pid, number); i++)
+        (void)nanosleep(&moment, NULL);
+    (void)nanosleep(&moment, NULL);
+    assert_int_equal(kill(pid, number), 0);
+}
+
 static run_result run(run_case c)
 {
     run_result r = {.status = -1};
@@ -124,10 +153,8 @@ static run_result run(run_case c)
     if (c.input)
         assert_int_equal(write(in[1], c.input, strlen(c.input)),
                          (ssize_t)strlen(c.input));
-    if (c.signal) {
-        (void)nanosleep(&(struct timespec){0, 60000000}, NULL);
-        assert_int_equal(kill(pid, c.signal), 0);
-    }
+    if (c.signal)
+        send_signal(pid, c.signal);
     (void)close(in[1]);
     read_all(out[0], r.out, sizeof r.out);
     read_all(err[0], r.err, sizeof r.err);
