@@ -212,15 +212,12 @@ static ix_status find_marks(hull *h)
     IX_SCRATCH(h->m.ctx, h->corner, h->ncorners);
     for (int i = 0; i < h->ncorners; i++) {
         double p[IX_MAX_COORDS] = {0};
-        ix_status st;
 
         h->corner[i] = h->m.t[i];
         ix__path_point(&h->m.path, h->corner[i], p);
         p[2] = 0;
         IX_TRY(ix_crv_tangents_from(h->m.ctx, h->m.crv, p, &r, &n));
-        st = ix__marks_add_roots(&h->m, r, n);
-        ix_roots_free(h->m.ctx, r, n);
-        IX_TRY(st);
+        IX_TRY(ix__marks_add_roots(&h->m, r, n));
     }
     IX_TRY(ix_crv_bitangents(h->m.ctx, h->m.crv, &s));
     return ix__marks_add_pairs(&h->m, &s);

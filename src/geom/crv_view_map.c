@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/crv_pairs.h"
 #include "geom/crvs.h"
 #include "geom/lines.h"
@@ -36,15 +37,7 @@ typedef struct {
 
 static ix_status put(map *w, const double x[3])
 {
-    if (w->n == w->room) {
-        double(*more)[3];
-
-        w->room = 2 * w->room + 256;
-        IX_SCRATCH(w->ctx, more, w->room);
-        if (w->n)
-            memcpy(more, w->p, (size_t)w->n * sizeof *more);
-        w->p = more;
-    }
+    IX_GROW(w->ctx, w->p, w->n, w->room);
     memcpy(w->p[w->n++], x, sizeof *w->p);
     w->count[w->nlines]++;
     return IX_OK;
@@ -60,15 +53,8 @@ static ix_status next_line(map *w)
         *n = 0;
         return IX_OK;
     }
-    if (++w->nlines == w->line_room) {
-        int *more;
-
-        w->line_room = 2 * w->line_room + 32;
-        IX_SCRATCH(w->ctx, more, w->line_room);
-        if (w->nlines)
-            memcpy(more, w->count, (size_t)w->nlines * sizeof *more);
-        w->count = more;
-    }
+    w->nlines++;
+    IX_GROW(w->ctx, w->count, w->nlines, w->line_room);
     w->count[w->nlines] = 0;
     return IX_OK;
 }

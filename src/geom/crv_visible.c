@@ -52,30 +52,12 @@ static ix_status mark_contours(const sight *s, ix__marks *m)
     const double p[3] = {s->view[0], s->view[1], 0}, zero[2] = {0, 0};
     const double across[2] = {-s->view[1], s->view[0]};
     ix_root *r;
-    ix_status st;
     int n;
 
-    if (s->point)
-        st = ix_crv_tangents_from(s->ctx, m->crv, p, &r, &n);
-    else
-        st = ix__marks_line(m, zero, across, true, &r, &n);
-    IX_TRY(st);
-    st = ix__marks_add_roots(m, r, n);
-    ix_roots_free(s->ctx, r, n);
-    return st;
-}
-
-/* Where the line of sight meets curve k. */
-static ix_status mark_shadow(const sight *s, const ray *l, int k)
-{
-    ix_root *r = NULL;
-    int n = 0;
-    ix_status st = ix__marks_line(&s->m[k], l->p, l->normal, false, &r, &n);
-
-    if (st == IX_OK)
-        st = ix__marks_add_roots(&s->m[k], r, n);
-    ix_roots_free(s->ctx, r, n);
-    return st;
+    if (!s->point)
+        return ix__marks_add_line(m, zero, across, true);
+    IX_TRY(ix_crv_tangents_from(s->ctx, m->crv, p, &r, &n));
+    return ix__marks_add_roots(m, r, n);
 }
 
 /* Behind and before the marks so far, on all curves. */
@@ -91,7 +73,7 @@ static ix_status mark_shadows(const sight *s)
         for (int j = 0; j < marks[i]; j++)
             for (int k = 0; ray_through(s, i, s->m[i].t[j], &l) && k < s->n;
                  k++)
-                IX_TRY(mark_shadow(s, &l, k));
+                IX_TRY(ix__marks_add_line(&s->m[k], l.p, l.normal, false));
     return IX_OK;
 }
 

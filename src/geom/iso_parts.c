@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/iso_curves.h"
 #include "geom/parts.h"
 #include "iritx/solve.h"
@@ -27,16 +28,7 @@ static ix_status add(parts *w, double t, const double range[2], int level)
         return IX_FAIL(w->ctx, IX_EUNABLE,
                        "more than %d curves for a distance of %g", MOST,
                        w->eps);
-    if (w->n == w->room) {
-        int room = w->room ? 2 * w->room : 64;
-        ix__iso_part *more;
-
-        IX_SCRATCH(w->ctx, more, room);
-        if (w->n)
-            memcpy(more, w->part, (size_t)w->n * sizeof *more);
-        w->part = more;
-        w->room = room;
-    }
+    IX_GROW(w->ctx, w->part, w->n, w->room);
     w->part[w->n++] = (ix__iso_part){t, {range[0], range[1]}, level};
     return IX_OK;
 }

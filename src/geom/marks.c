@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/crvs.h"
 #include "geom/outer_mv.h"
 #include "geom/pool.h"
@@ -35,28 +36,24 @@ ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv, ix__marks *out)
 
 ix_status ix__marks_add(ix__marks *m, double t)
 {
-    if (m->n == m->room) {
-        double *more;
-
-        IX_SCRATCH(m->ctx, more, 2 * m->room);
-        memcpy(more, m->t, (size_t)m->n * sizeof *more);
-        m->t = more;
-        m->room *= 2;
-    }
+    IX_GROW(m->ctx, m->t, m->n, m->room);
     m->t[m->n++] = fmax(m->dom[0], fmin(m->dom[1], t));
     return IX_OK;
 }
 
-ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r, int n)
+ix_status ix__marks_add_roots(ix__marks *m, ix_root *r, int n)
 {
-    for (int i = 0; i < n; i++) {
+    ix_status st = IX_OK;
+
+    for (int i = 0; st == IX_OK && i < n; i++) {
         bool wide = r[i].kind == IX_ROOT_INTERVAL;
 
-        IX_TRY(ix__marks_add(m, wide ? r[i].lo : r[i].t));
-        if (wide)
-            IX_TRY(ix__marks_add(m, r[i].hi));
+        st = ix__marks_add(m, wide ? r[i].lo : r[i].t);
+        if (st == IX_OK && wide)
+            st = ix__marks_add(m, r[i].hi);
     }
-    return IX_OK;
+    ix_roots_free(m->ctx, r, n);
+    return st;
 }
 
 ix_status ix__marks_add_both(ix__marks *a, ix__marks *b, ix_solutions *s)
@@ -171,4 +168,14 @@ ix_status ix__marks_line(const ix__marks *m, const double at[2],
     ix_mv_unref(m->ctx, f);
     ix_mv_unref(m->ctx, d);
     return st;
+}
+
+ix_status ix__marks_add_line(ix__marks *m, const double at[2],
+                             const double normal[2], bool stationary)
+{
+    ix_root *r;
+    int n;
+
+    IX_TRY(ix__marks_line(m, at, normal, stationary, &r, &n));
+    return ix__marks_add_roots(m, r, n);
 }

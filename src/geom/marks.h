@@ -22,9 +22,8 @@ ix_status ix__marks_ends(ix_ctx *ctx, const ix_mv *crv,
 ix_status ix__marks_new(ix_ctx *ctx, const ix_mv *crv,
                         ix__marks *out) IX_MUST_CHECK;
 ix_status ix__marks_add(ix__marks *m, double t) IX_MUST_CHECK;
-/* The ends of all roots. */
-ix_status ix__marks_add_roots(ix__marks *m, const ix_root *r,
-                              int n) IX_MUST_CHECK;
+/* The ends of all roots; releases r. */
+ix_status ix__marks_add_roots(ix__marks *m, ix_root *r, int n) IX_MUST_CHECK;
 /* Both parameters of pairs; releases s. */
 ix_status ix__marks_add_pairs(ix__marks *m, ix_solutions *s) IX_MUST_CHECK;
 /* The first parameter of pairs to a, the second to b; releases s. */
@@ -43,5 +42,10 @@ ix_status ix__marks_add_corners(ix__marks *m, double angle) IX_MUST_CHECK;
 ix_status ix__marks_line(const ix__marks *m, const double at[2],
                          const double normal[2], bool stationary, ix_root **r,
                          int *n) IX_MUST_CHECK;
+
+/* Marks these places. */
+ix_status ix__marks_add_line(ix__marks *m, const double at[2],
+                             const double normal[2],
+                             bool stationary) IX_MUST_CHECK;
 
 #endif

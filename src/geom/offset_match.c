@@ -322,14 +322,8 @@ static ix_status mark_arcs(match *w, int half)
 
     for (int j = 0; j < half; j++) {
         const double n[2] = {sin(j * w->alpha), -cos(j * w->alpha)};
-        ix_root *r;
-        ix_status st;
-        int count;
 
-        IX_TRY(ix__marks_line(&w->m, zero, n, true, &r, &count));
-        st = ix__marks_add_roots(&w->m, r, count);
-        ix_roots_free(w->ctx, r, count);
-        IX_TRY(st);
+        IX_TRY(ix__marks_add_line(&w->m, zero, n, true));
     }
     for (int s = 1; s < w->m.path.nspans; s++)
         IX_TRY(ix__marks_add(&w->m, w->m.path.breaks[s]));

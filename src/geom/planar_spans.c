@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/grow.h"
 #include "mv/mv.h"
 
 /* Relative to the size of the curve: what its coefficients and the comparison
@@ -200,18 +201,7 @@ static bool separated(const search *s, const ix__planar_spans *a, int i,
 
 static ix_status add(search *s, int i, int j)
 {
-    if (s->n == s->cap) {
-        int cap = s->cap ? 2 * s->cap : 64;
-        ix__span_pair *more;
-
-        if (cap < s->cap)
-            return IX_FAIL(s->ctx, IX_ENOMEM, "%d pairs of spans", s->n);
-        IX_SCRATCH(s->ctx, more, cap);
-        for (int k = 0; k < s->n; k++)
-            more[k] = s->pair[k];
-        s->pair = more;
-        s->cap = cap;
-    }
+    IX_GROW(s->ctx, s->pair, s->n, s->cap);
     s->pair[s->n++] = (ix__span_pair){i, j};
     return IX_OK;
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/crvs.h"
 #include "geom/path.h"
 #include "iritx/tile.h"
@@ -28,7 +29,7 @@ typedef struct {
     double lo[2], scale;
     int n, room;
     double (*p)[2];
-    int nsites; /* the first of the points */
+    int nsites, site_room; /* the first of the points */
     site *at;
     ix__cdt d;
     int *id;           /* [points of d]: our number */
@@ -101,13 +102,7 @@ static ix_status add_site(tiling *w, const ix_path *p, int crv, double t)
     double x[IX_MAX_COORDS];
 
     ix__path_point(p, t, x);
-    if (w->nsites > 0 && w->nsites % 1024 == 0) {
-        site *more;
-
-        IX_SCRATCH(w->ctx, more, w->nsites + 1024);
-        memcpy(more, w->at, (size_t)w->nsites * sizeof *more);
-        w->at = more;
-    }
+    IX_GROW(w->ctx, w->at, w->nsites, w->site_room);
     w->at[w->nsites++] = (site){.crv = crv, .t = t};
     return add_point(w, x[0], x[1]);
 }
@@ -604,7 +599,6 @@ static ix_status tile(tiling *w, int n, const ix_mv *const *crv, ix_quads *out)
 {
     double hi[2];
 
-    IX_SCRATCH(w->ctx, w->at, 1024);
     for (int i = 0; i < n; i++)
         IX_TRY(add_boundary(w, crv[i], i));
     IX_TRY(frame(w, hi));

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "bsp/spans.h"
 #include "geom/lines.h"
 #include "geom/normals.h"
@@ -40,15 +41,7 @@ typedef struct {
 static ix_status add_point(ix_ctx *ctx, int *n, int *room, double (**p)[3],
                            const double x[3])
 {
-    if (*n == *room) {
-        double(*more)[3];
-
-        *room = 2 * *room + 64;
-        IX_SCRATCH(ctx, more, *room);
-        if (*n)
-            memcpy(more, *p, (size_t)*n * sizeof *more);
-        *p = more;
-    }
+    IX_GROW(ctx, *p, *n, *room);
     memcpy((*p)[(*n)++], x, sizeof **p);
     return IX_OK;
 }
@@ -61,15 +54,7 @@ static ix_status add_vertex(ix_ctx *ctx, solid *s, const double x[3])
 
 static ix_status begin_face(ix_ctx *ctx, solid *s)
 {
-    if (s->n == s->room) {
-        int *more;
-
-        s->room = 2 * s->room + 64;
-        IX_SCRATCH(ctx, more, s->room);
-        if (s->n)
-            memcpy(more, s->count, (size_t)s->n * sizeof *more);
-        s->count = more;
-    }
+    IX_GROW(ctx, s->count, s->n, s->room);
     s->count[s->n] = 0;
     return IX_OK;
 }

@@ -246,7 +246,7 @@ static ix_status spline_near(ix_ctx *ctx, const rib *r, rib_fn fn, int dim,
 
 /* Marks where the path crosses a knot of the surface at which that is less than
  * C2. */
-static ix_status mark_crossings(ix_ctx *ctx, rib *r, int d)
+static ix_status mark_crossings(rib *r, int d)
 {
     const ix_dir *dir = &r->srf->dirs[d];
     int n = ix_knots_count(dir) - dir->order, many = 0;
@@ -254,9 +254,6 @@ static ix_status mark_crossings(ix_ctx *ctx, rib *r, int d)
 
     for (int i = dir->order; i < n; i++) {
         double at[2] = {dir->knots[i], dir->knots[i]};
-        ix_root *root;
-        ix_status st;
-        int count;
 
         many++;
         if (dir->knots[i + 1] <= dir->knots[i] || many < dir->order - 2) {
@@ -264,15 +261,12 @@ static ix_status mark_crossings(ix_ctx *ctx, rib *r, int d)
             continue;
         }
         many = 0;
-        IX_TRY(ix__marks_line(&r->marks, at, normal, false, &root, &count));
-        st = ix__marks_add_roots(&r->marks, root, count);
-        ix_roots_free(ctx, root, count);
-        IX_TRY(st);
+        IX_TRY(ix__marks_add_line(&r->marks, at, normal, false));
     }
     return IX_OK;
 }
 
-static ix_status find_kinks(ix_ctx *ctx, rib *r)
+static ix_status find_kinks(rib *r)
 {
     const ix_path *p = &r->marks.path;
 
@@ -280,7 +274,7 @@ static ix_status find_kinks(ix_ctx *ctx, rib *r)
         if (p->cont[i - 1] < 2)
             IX_TRY(ix__marks_add(&r->marks, p->breaks[i]));
     for (int d = 0; d < 2; d++)
-        IX_TRY(mark_crossings(ctx, r, d));
+        IX_TRY(mark_crossings(r, d));
     ix__marks_sort(&r->marks);
     return IX_OK;
 }
@@ -424,7 +418,7 @@ static ix_status make(ix_ctx *ctx, const ix_mv *srf, rib *r, ix_mv *in[2],
         return IX_FAIL(ctx, IX_EDOMAIN,
                        "the curve has a corner at parameter %g: cut it there",
                        r->marks.path.breaks[corner]);
-    IX_TRY(find_kinks(ctx, r));
+    IX_TRY(find_kinks(r));
     for (int e = 0; e < 2; e++) {
         r->side = 2 * e - 1;
         IX_TRY(spline_near(ctx, r, border_at, 2, &k->border[e]));

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/srf_pairs.h"
 #include "iritx/distance.h"
 #include "solve/box.h"
@@ -66,15 +67,7 @@ static double apart(const arcs *s, const double *p, const double *q, bool swap)
 
 static ix_status add_arc(ix_ctx *ctx, arcs *s, int n, arc **out)
 {
-    if (s->n == s->cap) {
-        arc *more;
-
-        s->cap = s->cap ? 2 * s->cap : 32;
-        IX_SCRATCH(ctx, more, s->cap);
-        if (s->n)
-            memcpy(more, s->a, (size_t)s->n * sizeof *more);
-        s->a = more;
-    }
+    IX_GROW(ctx, s->a, s->n, s->cap);
     *out = &s->a[s->n];
     **out = (arc){.n = n};
     IX_SCRATCH(ctx, (*out)->x, n);

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/lines.h"
 #include "geom/normals.h"
 #include "geom/vec3.h"
@@ -209,15 +210,7 @@ static ix_status make_parts(cover *w, ix_mv *f)
 
 static ix_status add_cell(cover *w, const cell *c)
 {
-    if (w->n == w->room) {
-        cell *more;
-
-        w->room = 2 * w->room + 64;
-        IX_SCRATCH(w->ctx, more, w->room);
-        if (w->n)
-            memcpy(more, w->c, (size_t)w->n * sizeof *more);
-        w->c = more;
-    }
+    IX_GROW(w->ctx, w->c, w->n, w->room);
     if (w->n == MOST_CELLS)
         return IX_FAIL(
             w->ctx, IX_EUNABLE,

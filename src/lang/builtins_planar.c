@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "geom/belt.h"
 #include "geom/pack_triangle.h"
 #include "geom/register.h"
@@ -174,16 +175,7 @@ typedef struct {
 
 static ix_status add_cut(ix_call *c, cuts *k, double t)
 {
-    if (k->n == k->room) {
-        double *more;
-        int room = 2 * k->room + 8;
-
-        IX_SCRATCH(c->ctx, more, room);
-        if (k->n)
-            memcpy(more, k->t, (size_t)k->n * sizeof *more);
-        k->t = more;
-        k->room = room;
-    }
+    IX_GROW(c->ctx, k->t, k->n, k->room);
     k->t[k->n++] = t;
     return IX_OK;
 }

@@ -6,26 +6,17 @@
 static ix_status mark_inflections(ix__marks *m)
 {
     ix_root *r;
-    ix_status st;
     int n;
 
     IX_TRY(ix_crv_inflections(m->ctx, m->crv, &r, &n));
-    st = ix__marks_add_roots(m, r, n);
-    ix_roots_free(m->ctx, r, n);
-    return st;
+    return ix__marks_add_roots(m, r, n);
 }
 
 static ix_status mark_extremes(ix__marks *m, int axis)
 {
     const double at[2] = {0, 0}, normal[2] = {axis == 0, axis == 1};
-    ix_root *r;
-    ix_status st;
-    int n;
 
-    IX_TRY(ix__marks_line(m, at, normal, true, &r, &n));
-    st = ix__marks_add_roots(m, r, n);
-    ix_roots_free(m->ctx, r, n);
-    return st;
+    return ix__marks_add_line(m, at, normal, true);
 }
 
 static ix_status mark_curvature(ix__marks *m)

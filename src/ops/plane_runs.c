@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "ops/plane_walk_impl.h"
 
 /* Pieces that were found lead to others; so often at most. */
@@ -20,15 +21,7 @@ typedef struct {
 
 static ix_status add_place(places *l, ix__place p)
 {
-    if (l->n == l->room) {
-        ix__place *more;
-
-        l->room = l->room ? 2 * l->room : 64;
-        IX_SCRATCH(l->ctx, more, l->room);
-        if (l->n)
-            memcpy(more, l->p, (size_t)l->n * sizeof *more);
-        l->p = more;
-    }
+    IX_GROW(l->ctx, l->p, l->n, l->room);
     l->p[l->n++] = p;
     return IX_OK;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "ops/plane_walk_impl.h"
 
 /* Intervals of a border element are halved down to this. */
@@ -29,16 +30,9 @@ typedef struct {
 
 static ix_status emit(sink *k, const ix__sample *s)
 {
-    if (k->n == k->room) {
-        ix__sample *more;
-
+    if (k->n == k->room)
         IX_TRY(ix__poll(k->ctx));
-        k->room = k->room ? 2 * k->room : 256;
-        IX_SCRATCH(k->ctx, more, k->room);
-        if (k->n)
-            memcpy(more, k->s, (size_t)k->n * sizeof *more);
-        k->s = more;
-    }
+    IX_GROW(k->ctx, k->s, k->n, k->room);
     k->s[k->n++] = *s;
     return IX_OK;
 }

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "iritx/distance.h"
 #include "iritx/ops_crv.h"
 #include "iritx/ops_plane.h"
@@ -50,15 +51,7 @@ typedef struct {
 
 static ix_status add(collector *k, ix_pt_crv_mark mark, double t, double other)
 {
-    if (k->n == k->room) {
-        ix_pt_crv_special *more;
-
-        k->room = k->room ? 2 * k->room : 32;
-        IX_SCRATCH(k->ctx, more, k->room);
-        if (k->n)
-            memcpy(more, k->s, (size_t)k->n * sizeof *more);
-        k->s = more;
-    }
+    IX_GROW(k->ctx, k->s, k->n, k->room);
     k->s[k->n++] = (ix_pt_crv_special){mark, t, other, {0, 0}};
     return IX_OK;
 }

@@ -3,22 +3,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/grow.h"
 #include "solve/box.h"
 
 ix_status ix__found_add(ix__found *f, const ix_solution *s)
 {
-    if (f->n == f->cap) {
-        int cap = f->cap ? 2 * f->cap : 64;
-        ix_solution *more;
-
-        if (cap < f->cap)
-            return IX_FAIL(f->ctx, IX_ENOMEM, "%d solutions", f->n);
-        IX_SCRATCH(f->ctx, more, cap);
-        if (f->n)
-            memcpy(more, f->sol, (size_t)f->n * sizeof *more);
-        f->sol = more;
-        f->cap = cap;
-    }
+    IX_GROW(f->ctx, f->sol, f->n, f->cap);
     f->sol[f->n++] = *s;
     return IX_OK;
 }
