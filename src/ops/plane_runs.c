@@ -110,12 +110,22 @@ static bool has_length(const ix__walked *o, const ix__run *r)
     return len > least;
 }
 
-static void add_run(ix__walked *o, ix__run r)
+/* A run without length at infinity is the end of that before or behind it.
+ * *gap: whether the run before r was such a one. */
+static void add_run(ix__walked *o, ix__run r, bool *gap)
 {
     ix__run *before = o->nruns ? &o->run[o->nruns - 1] : NULL;
+    int n = o->counts[r.loop];
 
-    if (!has_length(o, &r))
+    r.far[0] = r.far[0] || *gap;
+    *gap = false;
+    if (!has_length(o, &r)) {
+        *gap = r.far[0];
+        if (r.far[1] && before && before->loop == r.loop &&
+            (before->first + before->count) % n == r.first)
+            before->far[1] = true;
         return;
+    }
     if (before && before->loop == r.loop)
         r.joined = !before->far[1] && !r.far[0] &&
                    meets(ix__run_at(o, before, before->count - 1),
@@ -144,6 +154,7 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
 {
     int n = o->counts[loop], i = 0, begin;
     const ix__sample *s = o->samples[loop];
+    bool gap = false;
 
     if (n == 0)
         return;
@@ -152,6 +163,7 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
         ix__run r = {.first = (begin + i) % n, .count = 1, .loop = loop};
 
         if (!s[r.first].valid) {
+            gap = false;
             i++;
             continue;
         }
@@ -160,7 +172,7 @@ static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
             r.count++;
         r.far[0] = s[(r.first + n - 1) % n].far;
         r.far[1] = s[(r.first + r.count) % n].far;
-        add_run(o, r);
+        add_run(o, r, &gap);
         i += r.count;
     }
 }

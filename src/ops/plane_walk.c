@@ -9,8 +9,9 @@
 
 /* Intervals of a border element are halved down to this. */
 #define FINEST 0x1p-50
-/* From here on one event at most is looked for in an interval. */
+/* From here on so many events at most are looked for in an interval. */
 #define SMALL 0x1p-26
+enum { MOST_EVENTS = 4 };
 /* A foot that moves farther (in spans) at one place jumps: less may be its
  * rounding where the circle nearly is that of curvature. */
 #define JUMP 1e-5
@@ -175,26 +176,50 @@ static ix_status emit_after(sink *k, const ix__sample *b)
     return emit(k, b);
 }
 
-/* Encloses what happens between a and b in the smallest interval. */
+/* Does something happen between a and b, as far as they tell? */
+static bool differ(const ix__walk *w, const ix__sample *a, const ix__sample *b)
+{
+    return a->valid != b->valid || a->far != b->far ||
+           (a->valid && !ix__same_feet(w, a, b));
+}
+
+/* Encloses the first of what happens between *lo and *hi in the smallest
+ * interval. */
+static void enclose(const ix__walk *w, ix__sample *lo, ix__sample *hi)
+{
+    ix__sample m;
+
+    while (hi->at - lo->at > FINEST) {
+        double at = 0.5 * (lo->at + hi->at);
+
+        if (at <= lo->at || at >= hi->at)
+            break;
+        ix__walk_sample(w, lo->border, at, &m);
+        if (like_first(w, lo, &m, hi))
+            *lo = m;
+        else
+            *hi = m;
+    }
+}
+
+/* Encloses what happens between a and b: one thing as a rule, but a circle that
+ * comes back from infinity may touch elsewhere first, within rounding. */
 static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
 {
-    ix__sample lo = *a, hi = *b, m;
+    ix__sample from = *a;
 
-    while (hi.at - lo.at > FINEST) {
-        double at = 0.5 * (lo.at + hi.at);
+    for (int i = 0; i < MOST_EVENTS; i++) {
+        ix__sample lo = from, hi = *b;
 
-        if (at <= lo.at || at >= hi.at)
+        enclose(k->w, &lo, &hi);
+        if (lo.at > from.at)
+            IX_TRY(emit_after(k, &lo));
+        if (hi.at < b->at)
+            IX_TRY(emit_after(k, &hi));
+        if (!(hi.at < b->at) || !differ(k->w, &hi, b))
             break;
-        ix__walk_sample(k->w, a->border, at, &m);
-        if (like_first(k->w, &lo, &m, &hi))
-            lo = m;
-        else
-            hi = m;
+        from = hi;
     }
-    if (lo.at > a->at)
-        IX_TRY(emit_after(k, &lo));
-    if (hi.at < b->at)
-        IX_TRY(emit_after(k, &hi));
     return emit_after(k, b);
 }
 

@@ -141,8 +141,24 @@ static inline double off_result(const ix_bisector *s, const double q[2])
     return best;
 }
 
+/* Is an end of one curve that is on the other one as near as r: does x border
+ * on the region behind it? */
+static inline bool at_region(const problem *p, const double *x, double r)
+{
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < p->set[k].narcs; i++)
+            for (int e = 0; e < 2; e++) {
+                const double *v = p->set[k].arc[i].x[e ? ARC_SAMPLES : 0];
+
+                if (fabs(truth_dist(v, x) - r) <= 1e-6 * fmax(r, p->size) &&
+                    truth_distance(&p->set[1 - k], v) <= 1e-10 * p->size)
+                    return true;
+            }
+    return false;
+}
+
 /* The bisector passes between u and v: where it does the result is near. Left
- * out where both feet are one, in the regions behind common ends. */
+ * out where both feet are one, in and at the regions behind common ends. */
 static inline void check_between(const problem *p, const double u[2],
                                  const double v[2], double at_u)
 {
@@ -162,7 +178,7 @@ static inline void check_between(const problem *p, const double u[2],
     for (int k = 0; k < 2; k++)
         f[k] = truth_nearest(&p->set[k], q, false, NULL);
     if (truth_dist(f[0].x, f[1].x) <= ONE_FOOT * p->size ||
-        fabs(f[0].d - f[1].d) > 1e-6 * p->size)
+        fabs(f[0].d - f[1].d) > 1e-6 * p->size || at_region(p, q, f[0].d))
         return;
     if (!(off_result(p->s, q) <= 3e-4 * fmax(p->size, f[0].d)))
         WRONG(p, "(%.12g, %.12g), radius %g, is %g off the result", q[0], q[1],
@@ -249,22 +265,6 @@ static inline bool meets_another(const problem *p, int i, int e)
     return false;
 }
 
-/* Is an end of one curve that is on the other one as near as r: does x border
- * on the region behind it? */
-static inline bool at_region(const problem *p, const double *x, double r)
-{
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < p->set[k].narcs; i++)
-            for (int e = 0; e < 2; e++) {
-                const double *v = p->set[k].arc[i].x[e ? ARC_SAMPLES : 0];
-
-                if (fabs(truth_dist(v, x) - r) <= 1e-6 * fmax(r, p->size) &&
-                    truth_distance(&p->set[1 - k], v) <= 1e-10 * p->size)
-                    return true;
-            }
-    return false;
-}
-
 /* Law: the bisector is the border of what is nearer to the first: a piece ends
  * at infinity, where another begins, in a point of both curves, or at the
  * region behind a common end. */
@@ -283,22 +283,59 @@ static inline void check_ends(const problem *p)
         }
 }
 
+/* The difference of both support functions in direction a; 0 if both reach
+ * farthest in a common end. */
+static inline double support_difference(const problem *p, double a)
+{
+    double d[2] = {cos(a), sin(a)};
+    double f = truth_support(&p->set[0], d) - truth_support(&p->set[1], d);
+
+    return fabs(f) <= 1e-9 * p->size ? 0 : f;
+}
+
+/* Between the angles lo and hi the difference changes its sign: is it because
+ * what is far out there borders on the region behind a common end? */
+static inline bool region_far(const problem *p, double lo, double hi,
+                              double at_lo)
+{
+    double d[2], reach;
+
+    for (int i = 0; i < 40; i++) {
+        double m = 0.5 * (lo + hi);
+
+        if (support_difference(p, m) * at_lo > 0)
+            lo = m;
+        else
+            hi = m;
+    }
+    d[0] = cos(lo);
+    d[1] = sin(lo);
+    reach = truth_support(&p->set[0], d);
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < p->set[k].narcs; i++)
+            for (int e = 0; e < 2; e++) {
+                const double *v = p->set[k].arc[i].x[e ? ARC_SAMPLES : 0];
+
+                if (d[0] * v[0] + d[1] * v[1] >= reach - 1e-7 * p->size &&
+                    truth_distance(&p->set[1 - k], v) <= 1e-10 * p->size)
+                    return true;
+            }
+    return false;
+}
+
 /* Law: far out the distance in direction n differs from that from the origin by
  * the support function: there is an end at infinity for each change of sign of
  * the difference of both. */
 static inline void check_infinity(const problem *p)
 {
+    const double step = 2 * 3.14159265358979323846 / (p->close ? 3000 : 90);
     int n = p->close ? 3000 : 90, changes = 0, ends = 0;
     double last = 0;
 
     for (int i = 0; i <= n; i++) {
-        double a = 2 * 3.14159265358979323846 * i / n + 1e-3;
-        double d[2] = {cos(a), sin(a)};
-        double f = truth_support(&p->set[0], d) - truth_support(&p->set[1], d);
+        double a = step * i + 1e-3, f = support_difference(p, a);
 
-        if (fabs(f) <= 1e-9 * p->size)
-            f = 0; /* both reach farthest in a common end */
-        changes += f * last < 0;
+        changes += f * last < 0 && !region_far(p, a - step, a, last);
         last = f;
     }
     for (int i = 0; i < p->s->n; i++)

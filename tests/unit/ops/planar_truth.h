@@ -18,8 +18,9 @@ typedef struct {
     double c[3][ARC_DEGREE + 1]; /* Bernstein: w, wx, wy */
     double t[2];
     double x[ARC_SAMPLES + 1][2];
-    double len[ARC_SAMPLES]; /* an upper bound, in practice */
-    double box[2][2];        /* of the samples, widened by half a length */
+    double len[ARC_SAMPLES]; /* upper bounds, of quarters in all */
+    double quarter[4 * ARC_SAMPLES];
+    double box[2][2]; /* of the samples, widened by half a length */
 } truth_arc;
 
 /* Some curves. */
@@ -56,32 +57,47 @@ static inline double truth_dist(const double *a, const double *b)
     return sqrt(x * x + y * y);
 }
 
-/* Lengths by four chords in each interval, and a fifth more. */
+/* Cuts the part of the curve before s off c, and gives the length of its
+ * control polygon: that of a curve with positive weights is not more. */
+static inline double truth_cut(int n, double c[3][ARC_DEGREE + 1], double s)
+{
+    double left[3][ARC_DEGREE + 1], len = 0;
+
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j <= n; j++) {
+            left[k][j] = c[k][0];
+            for (int i = 0; i < n - j; i++)
+                c[k][i] += s * (c[k][i + 1] - c[k][i]);
+        }
+    for (int j = 0; j < n; j++)
+        len += hypot(left[1][j + 1] / left[0][j + 1] - left[1][j] / left[0][j],
+                     left[2][j + 1] / left[0][j + 1] - left[2][j] / left[0][j]);
+    return len * (1 + 1e-9);
+}
+
 static inline void truth_sample(truth_arc *a)
 {
-    double last[2];
+    double c[3][ARC_DEGREE + 1];
 
-    truth_at(a, 0, last);
-    memcpy(a->x[0], last, sizeof last);
+    memcpy(c, a->c, sizeof c);
+    truth_at(a, 0, a->x[0]);
     for (int k = 0; k < 2; k++) {
         a->box[0][k] = INFINITY;
         a->box[1][k] = -INFINITY;
     }
     for (int i = 0; i < ARC_SAMPLES; i++) {
         a->len[i] = 0;
-        for (int j = 1; j <= 4; j++) {
-            double x[2];
-
-            truth_at(a, (i + 0.25 * j) / ARC_SAMPLES, x);
-            a->len[i] += 1.2 * truth_dist(x, last);
-            memcpy(last, x, sizeof x);
+        for (int j = 4 * i; j < 4 * i + 4; j++) {
+            a->quarter[j] = truth_cut(a->degree, c,
+                                      1.0 / (4 * ARC_SAMPLES - j));
+            a->len[i] += a->quarter[j];
         }
-        memcpy(a->x[i + 1], last, sizeof last);
+        truth_at(a, (i + 1.0) / ARC_SAMPLES, a->x[i + 1]);
         for (int k = 0; k < 2; k++) {
-            a->box[0][k] = fmin(a->box[0][k],
-                                fmin(a->x[i][k], last[k]) - 0.5 * a->len[i]);
-            a->box[1][k] = fmax(a->box[1][k],
-                                fmax(a->x[i][k], last[k]) + 0.5 * a->len[i]);
+            double p = a->x[i][k], q = a->x[i + 1][k];
+
+            a->box[0][k] = fmin(a->box[0][k], fmin(p, q) - 0.5 * a->len[i]);
+            a->box[1][k] = fmax(a->box[1][k], fmax(p, q) + 0.5 * a->len[i]);
         }
     }
 }
@@ -164,7 +180,7 @@ static inline void truth_interval(const truth_arc *a, const double q[2], int i,
                 d[j], {x[j][0], x[j][1]}, index, (i + 0.25 * j) / ARC_SAMPLES};
     }
     for (int j = 0; j < 4; j++)
-        if (0.5 * (d[j] + d[j + 1] - 1.2 * truth_dist(x[j], x[j + 1])) <= f->d)
+        if (0.5 * (d[j] + d[j + 1] - a->quarter[4 * i + j]) <= f->d)
             truth_golden(a, q, (i + 0.25 * j) / ARC_SAMPLES,
                          (i + 0.25 * (j + 1)) / ARC_SAMPLES, f, index);
 }
