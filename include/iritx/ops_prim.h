@@ -41,6 +41,10 @@ typedef struct {
  *       distances from both tangent planes
  *   two lines, cylinders and tori with lines, cylinders and tori of the same
  *       (minor) radius: ix_cbisector3d of their spines
+ *   a torus and a plane: with F the circle inside the torus and N its unit
+ *       normal, F + k N / (1 - n.N), biquadratic; its weight is 0 in two points
+ *       only, where N = n. One surface for each side of the plane that has a
+ *       part of the torus
  *
  * Special positions (directions within 1e-9, lengths within 1e-12 of size) have
  * lower ones:
@@ -52,6 +56,10 @@ typedef struct {
  *   a plane and a line, cylinder, ruling of a cone parallel to it: parabolic
  *       cylinders, of which some may be planes
  *   cylinders and cones around one axis: cones, cylinders, planes
+ *   a torus and a line, cylinder, cone or plane around its axis: turned
+ *       parabolas; two tori: a turned branch of a hyperbola or line, if they
+ *       are apart, an ellipse, if one is inside the other, both if they
+ *       intersect. Parts of positive radius, to the nearest feet
  *   cones that open the same way with one angle: a plane or a hyperbolic
  *       cylinder if neither apex is inside the other cone; a quartic of degree
  *       (2, 2) with the points that are inside one of them
@@ -65,13 +73,16 @@ typedef struct {
  *              the offset that IRIT has: that of a sphere inside the other (two
  *              spheres: outside; cones: |a1 - a2|). Else that of the actual
  *              position. Degrees are those of minimal forms, reduced
- * Out   *out   one or two surfaces (both nappes of a cone, one on each side of
- *              a plane, both signs of a special position); ix_crvs_free
- * Err   IX_EARG    size, radius, angle, direction out of range; a torus with a
- *                  plane or a cone, or with a line, cylinder or torus of
- * another radius IX_EDOMAIN both are the same; the same apex and point; other
- * positions without a bisector surface (the message names them) Src   Dutta &
- * Hoffmann 1993; spec of IRIT's BSCT functions */
+ * Out   *out   one to four surfaces (both nappes of a cone, one on each side of
+ *              a plane, both signs of a special position, parts up to an axis);
+ *              ix_crvs_free
+ * Err   IX_EARG    size, radius, angle, direction out of range; a torus and,
+ *                  not around its axis, a cone, or a line, cylinder or torus of
+ *                  another radius
+ *       IX_EDOMAIN both are the same; the same apex and point; nothing within
+ *                  size; other positions without a bisector surface (the
+ *                  message names them)
+ * Src   Dutta & Hoffmann 1993; spec of IRIT's BSCT functions */
 ix_status ix_prim_bisector(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
                            double size, const ix_op_opts *o,
                            ix_crvs *out) IX_MUST_CHECK;

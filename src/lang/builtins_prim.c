@@ -102,6 +102,9 @@ PAIR(bsctconcyl, CONE, "pda", CYLINDER, "pdr")
 PAIR(bsctconcn2, CONE, "pda", CONE, "pda")
 PAIR(bsctplnpln, PLANE, "pd", PLANE, "pd")
 PAIR(bscttrscyl, TORUS, "pdmr", CYLINDER, "pdr")
+PAIR(bscttrspl, TORUS, "pdmr", PLANE, "z")
+PAIR(bscttrsln, TORUS, "pdmr", LINE, "pd")
+PAIR(bscttrscon, TORUS, "pdmr", CONE, "pda")
 PAIR(bscttrstrs, TORUS, "pdmr", TORUS, "pdmr")
 
 /* --- table -----------------------------------------------------------------
@@ -204,18 +207,42 @@ const ix_builtin ix__builtins_prim[] = {
      "l = bsctplnpln(point(0, 0, 0), vector(0, 0, 1), point(0, 0, 1), "
      "vector(1, 0, 1), 2);",
      bsctplnpln, 0, 21},
+    {"BSCTTRSPL",
+     "pos:pt3 dir:pt3 major:num minor:num size:num -> surface|list",
+     "Bisector of a torus and the plane z = 0: a biquadratic surface on each "
+     "side of the plane that has a part of the torus. It is unbounded where "
+     "the normals of both are one; of an axis along z it is turned parabolas, "
+     "as far as size.",
+     "b = bscttrspl(point(0, 0, 2), vector(0, 1, 1), 1, 0.3, 2);", bscttrspl, 0,
+     21},
+    {"BSCTTRSLN",
+     "pos:pt3 dir:pt3 major:num minor:num pt:pt3 ldir:pt3 size:num -> "
+     "surface|list",
+     "Bisector of a torus and its axis: a turned parabola; of a circle (minor "
+     "radius 0) and any line.",
+     "b = bscttrsln(point(0, 0, 0), vector(0, 0, 1), 1, 0.3, point(0, 0, 0), "
+     "vector(0, 0, 1), 2);",
+     bscttrsln, 0, 21},
+    {"BSCTTRSCON",
+     "pos:pt3 dir:pt3 major:num minor:num apex:pt3 cdir:pt3 ang:num size:num "
+     "-> surface|list",
+     "Bisector of a torus and a cone around its axis: turned parabolas.",
+     "b = bscttrscon(point(0, 0, 0), vector(0, 0, 1), 1, 0.3, point(0, 0, -2), "
+     "vector(0, 0, 1), 15, 2);",
+     bscttrscon, 0, 21},
     {"BSCTTRSCYL",
      "pos:pt3 dir:pt3 major:num minor:num pt:pt3 cdir:pt3 rad:num size:num -> "
      "surface|list",
      "Bisector of a torus and a cylinder of the same (minor) radius: that of "
-     "circle and axis.",
+     "circle and axis; or around its axis: turned parabolas.",
      "b = bscttrscyl(point(0, 0, 0), vector(0, 0, 1), 1, 0.2, point(0.5, 0, "
      "1), vector(0, 1, 0), 0.2, 2);",
      bscttrscyl, 0, 21},
     {"BSCTTRSTRS",
      "pos1:pt3 dir1:pt3 major1:num minor1:num pos2:pt3 dir2:pt3 major2:num "
      "minor2:num -> surface|list",
-     "Bisector of two tori of the same minor radius: that of their circles.",
+     "Bisector of two tori of the same minor radius: that of their circles; or "
+     "around one axis: a turned hyperbola, ellipse, or both.",
      "b = bscttrstrs(point(0, 0, 0), vector(0, 0, 1), 1, 0.2, point(2, 0, 1), "
      "vector(1, 0, 0), 1, 0.2);",
      bscttrstrs, 0, 21},

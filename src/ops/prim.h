@@ -37,10 +37,10 @@ ix_status ix__prim_tangents(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
 #define IX__PARALLEL  1e-9
 #define IX__ONE_POINT 1e-12
 
-/* Up to two surfaces, references of the caller also when a function fails. */
+/* Up to four surfaces, references of the caller also when a function fails. */
 typedef struct {
     int n;
-    ix_mv *srf[2];
+    ix_mv *srf[4];
 } ix__prim_set;
 
 bool ix__prim_parallel(const double u[3], const double v[3]);
@@ -85,9 +85,37 @@ ix_status ix__prim_equal_cones(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
  * both are one. */
 ix_status ix__prim_coaxial(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
                            double size, ix__prim_set *s) IX_MUST_CHECK;
-/* Tori around one axis with one minor radius: a cone, cylinder or plane. Err
- * IX_EDOMAIN both are one. */
+/* Height of p->pos along a->dir above a->pos. */
+double ix__prim_height(const ix_prim *a, const ix_prim *p);
+/* A line, cylinder, cone or plane around the axis of a is n.X = h in the half
+ * plane of radius and height: n[2] is h, positive distances are outside. */
+void ix__prim_profile(const ix_prim *a, const ix_prim *p, double n[3]);
+/* Adds the curve (radius, 0, height) turned about the axis. */
+ix_status ix__prim_turned(ix_ctx *ctx, const ix_prim *axis,
+                          const ix_mv *profile, ix__prim_set *s) IX_MUST_CHECK;
+/* Adds the cone of the points with equal distances from both points of the half
+ * plane; nothing if it is not within size. */
+ix_status ix__prim_halfway(ix_ctx *ctx, const ix_prim *axis, const double f1[2],
+                           const double f2[2], double size,
+                           ix__prim_set *s) IX_MUST_CHECK;
+
+/* --- tori -------------------------------------------------------------------
+ */
+
+/* A torus and a line, cylinder, cone or plane around its axis: parabolas,
+ * turned. Err IX_EDOMAIN nothing within size. */
+ix_status ix__prim_torus_line(ix_ctx *ctx, const ix_prim *torus,
+                              const ix_prim *b, double size,
+                              ix__prim_set *s) IX_MUST_CHECK;
+/* Tori around one axis: the branch of a hyperbola (a line for one minor radius)
+ * if neither is inside the other, an ellipse if they intersect or one is, both
+ * turned. Err IX_EDOMAIN both are one; nothing within size. */
 ix_status ix__prim_coaxial_tori(ix_ctx *ctx, const ix_prim *a, const ix_prim *b,
                                 double size, ix__prim_set *s) IX_MUST_CHECK;
+/* A torus and a plane that is not at a right angle to its axis: on each side of
+ * the plane on which the torus is, a biquadratic surface. */
+ix_status ix__prim_torus_plane(ix_ctx *ctx, const ix_prim *torus,
+                               const ix_prim *plane, double size,
+                               ix__prim_set *s) IX_MUST_CHECK;
 
 #endif

@@ -443,27 +443,48 @@ static ix_status lines(ix_ctx *ctx, task *k)
                                    : deliver_set(ctx, k, &s, st);
 }
 
+/* What turns around the axis of the torus: conics of the half plane. */
+static ix_status around_torus(ix_ctx *ctx, task *k)
+{
+    ix__prim_set s = {.n = 0};
+    ix_status st;
+
+    if (k->b.kind == IX_PRIM_TORUS)
+        st = ix__prim_coaxial_tori(ctx, &k->a, &k->b, k->size, &s);
+    else
+        st = ix__prim_torus_line(ctx, &k->a, &k->b, k->size, &s);
+    return deliver_set(ctx, k, &s, st);
+}
+
+static ix_status torus_plane(ix_ctx *ctx, task *k)
+{
+    ix__prim_set s = {.n = 0};
+
+    if (ix__prim_parallel(k->a.dir, k->b.dir))
+        return around_torus(ctx, k);
+    return deliver_set(ctx, k, &s,
+                       ix__prim_torus_plane(ctx, &k->a, &k->b, k->size, &s));
+}
+
 /* A torus, and a line, cylinder or torus: spheres of one radius roll along
  * both spines. */
 static ix_status with_torus(ix_ctx *ctx, task *k)
 {
     double gap = fabs(k->a.radius - k->b.radius);
-    ix__prim_set s = {.n = 0};
 
-    if (k->b.kind != IX_PRIM_LINE && k->b.kind != IX_PRIM_CYLINDER &&
-        k->b.kind != IX_PRIM_TORUS)
+    if (k->b.kind == IX_PRIM_PLANE)
+        return torus_plane(ctx, k);
+    if (ix__prim_is_coaxial(&k->a, &k->b, k->size))
+        return around_torus(ctx, k);
+    if (k->b.kind == IX_PRIM_CONE)
         return IX_FAIL(ctx, IX_EARG,
-                       "a torus with a plane or a cone is not offered");
+                       "a torus and a cone are offered around one axis only");
     if (!(gap <= IX__ONE_POINT * k->size))
         return IX_FAIL(ctx, IX_EARG,
                        "radii of %g and %g: of a torus and a line, cylinder or "
-                       "torus only those of one radius have a rational "
-                       "bisector, that of their spines",
+                       "torus only those of one radius, or around one axis, "
+                       "have a rational bisector",
                        k->a.radius, k->b.radius);
-    if (k->b.kind == IX_PRIM_TORUS &&
-        ix__prim_is_coaxial(&k->a, &k->b, k->size))
-        return deliver_set(
-            ctx, k, &s, ix__prim_coaxial_tori(ctx, &k->a, &k->b, k->size, &s));
     return spines(ctx, k);
 }
 

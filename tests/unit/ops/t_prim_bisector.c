@@ -444,7 +444,7 @@ static void refused(void **state)
     expect(&a, &b, 0.5, IX_EDOMAIN, "inside the other up to the height 0.5");
     a = (ix_prim){
         .kind = IX_PRIM_TORUS, .dir = {0, 0, 1}, .radius = 0.1, .major = 1};
-    expect(&a, &b, 2, IX_EARG, "a torus with a plane or a cone");
+    expect(&a, &b, 2, IX_EARG, "a torus and a cone are offered around one");
     b.kind = IX_PRIM_CYLINDER;
     expect(&a, &b, 2, IX_EARG, "radii of 0.1 and 0.5");
     expect(&a, &a, 2, IX_EDOMAIN, "both are one torus");
