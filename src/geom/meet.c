@@ -1,8 +1,8 @@
 /* meet.c - intersections of two planar curves as a system in (t, r).
  *
  * The system is never built as a whole: only pairs of spans whose hulls meet
- * become patches of it. They are found by halving both curves, with a tree of
- * boxes for each. */
+ * become patches of it, without weights sums of one function of t and one of r.
+ * They are found by halving both curves, with a tree of boxes for each. */
 #include <float.h>
 #include <math.h>
 
@@ -35,8 +35,9 @@ typedef struct {
     ix__planar_spans c[2];
     const ix__span_pair *pair; /* those whose hulls meet */
     int npairs, next;
-    double scale[2]; /* of the equations, powers of 2 */
-    double err;      /* of their coefficients */
+    const ix__shape *shape; /* of the equations */
+    double scale[2];        /* of the equations, powers of 2 */
+    double err;             /* of their coefficients */
 } meeting;
 
 /* x_a(t) w_b(r) - x_b(r) w_a(t) on spans i and j, coordinate k. */
@@ -55,10 +56,23 @@ static void equation(const meeting *m, int k, int i, int j, double *out)
                                              xb[l] * (wa ? wa[n] : 1));
 }
 
+/* The same of polynomial curves, as a sum. */
+static void difference(const meeting *m, int k, int i, int j, double *out)
+{
+    const ix__planar_spans *a = &m->c[0], *b = &m->c[1];
+    int na = a->sp.degree + 1, nb = b->sp.degree + 1;
+    const double *xa = a->x[k] + (size_t)i * (size_t)na;
+    const double *xb = b->x[k] + (size_t)j * (size_t)nb;
+
+    for (int n = 0; n < na; n++)
+        out[n] = m->scale[k] * xa[n];
+    for (int n = 0; n < nb; n++)
+        out[na + n] = -m->scale[k] * xb[n];
+}
+
 static void take(const meeting *m, int i, int j, ix__box *b)
 {
     const ix_spans *sa = &m->c[0].sp, *sb = &m->c[1].sp;
-    size_t size = (size_t)(sa->degree + 1) * (size_t)(sb->degree + 1);
 
     b->cuts = b->fresh = 0;
     b->lo[0] = sa->breaks[i];
@@ -66,7 +80,10 @@ static void take(const meeting *m, int i, int j, ix__box *b)
     b->lo[1] = sb->breaks[j];
     b->hi[1] = sb->breaks[j + 1];
     for (int k = 0; k < 2; k++) {
-        equation(m, k, i, j, b->c + (size_t)k * size);
+        if (m->shape->sum)
+            difference(m, k, i, j, b->c + (size_t)k * m->shape->size);
+        else
+            equation(m, k, i, j, b->c + (size_t)k * m->shape->size);
         b->err[k] = m->err;
     }
 }
@@ -113,7 +130,7 @@ static ix_status crv_crv_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
     ix__patch_source src = {
         .n = 2, .neq = 2, .nall = 2, .next = next_pair, .at = pair_at};
     const ix_mv *const c[2] = {a, b};
-    meeting m = {.next = 0};
+    meeting m = {.shape = &src.shape};
     int dims[2];
 
     IX_TRY(ix__planar_spans_of(ctx, c, m.c));
@@ -125,7 +142,10 @@ static ix_status crv_crv_meet(ix_ctx *ctx, const ix_mv *a, const ix_mv *b,
         dims[k] = sp->degree + 1;
         src.edge[k] = sp->breaks[sp->nspans] - sp->breaks[0];
     }
-    ix__shape_init(&src.shape, 2, dims);
+    if (m.c[0].w || m.c[1].w)
+        ix__shape_init(&src.shape, 2, dims);
+    else
+        ix__shape_init_sum(&src.shape, 2, dims);
     src.self = &m;
     return ix__solve_patches(ctx, &src, o ? o : &own, out);
 }

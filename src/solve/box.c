@@ -17,29 +17,27 @@
 
 void ix__box_measure(const ix__task *t, ix__box *b)
 {
-    for (int i = 0; i < t->nall; i++) {
-        double lo, hi;
-
-        ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
-        b->mag[i] = ix__larger(-lo, hi);
-    }
+    for (int i = 0; i < t->nall; i++)
+        b->mag[i] = ix__tensor_size(&t->shape,
+                                    b->c + (size_t)i * t->shape.size);
 }
 
 bool ix__box_signs_allow(const ix__task *t, ix__box *b)
 {
     for (int i = 0; i < t->nall; i++) {
+        const double *c = b->c + (size_t)i * t->shape.size;
         double lo, hi;
 
-        ix__tensor_range(&t->shape, b->c + (size_t)i * t->shape.size, &lo, &hi);
+        ix__tensor_measure(&t->shape, c, &lo, &hi, &b->mag[i]);
         if (hi < -b->err[i] || (i < t->neq && lo > b->err[i]))
             return false;
-        b->mag[i] = ix__larger(-lo, hi);
     }
     return true;
 }
 
 /* A de Casteljau pass of dims - 1 layers commits at most 3 roundings in each,
- * relative to the sums of the sizes of what it combines. */
+ * relative to the sums of the sizes of what it combines; moving the constants
+ * of a sum one for each line. */
 void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e)
 {
     double w = b->hi[j] - b->lo[j], lo = b->lo[j];
@@ -49,8 +47,11 @@ void ix__box_cut(const ix__task *t, ix__box *b, int j, double a, double e)
         double *c = b->c + (size_t)i * t->shape.size;
 
         b->mag[i] = ix__tensor_restrict_size(&t->shape, c, j, a, e);
-        b->err[i] += 3 * passes * (t->shape.dims[j] - 1) * UNIT * b->mag[i];
+        b->err[i] += (3 * passes * (t->shape.dims[j] - 1) +
+                      (t->shape.sum ? t->shape.n : 0)) *
+                     UNIT * b->mag[i];
         ix__tensor_restrict(&t->shape, c, j, a, e);
+        ix__tensor_center(&t->shape, c);
     }
     b->hi[j] = e < 1 ? lo + e * w : b->hi[j];
     b->lo[j] = a > 0 ? lo + a * w : lo;

@@ -53,6 +53,7 @@ static void combine(search *q, const ix__box *b, ix__mat m)
     for (int i = 0; i < s->n; i++) {
         ix__combined *g = &q->g[i];
 
+        g->shape = s->t.shape;
         memset(g->c, 0, size * sizeof *g->c);
         g->err = g->mag = 0;
         for (int k = 0; k < s->n; k++) {
@@ -135,24 +136,40 @@ static double contraction(const search *q, const double *f, const double *err,
     return ix__contraction(&q->sys->t.shape, q->sys->n, dir, f, err, mag, m, d);
 }
 
+/* step = m v. */
+static void times(int n, ix__mat m, const double *v, double *step)
+{
+    for (int i = 0; i < n; i++) {
+        step[i] = 0;
+        for (int k = 0; k < n; k++)
+            step[i] += m[i][k] * v[k];
+    }
+}
+
+static void values_at(search *q, const double *f, const double *x, double *v)
+{
+    const ix__system *s = q->sys;
+
+    for (int i = 0; i < s->n; i++)
+        v[i] = ix__tensor_value(&s->t.shape, f + (size_t)i * s->t.shape.size, x,
+                                q->work);
+}
+
 /* step = m f(x), err the bounds of its errors by those of the values (ferr,
  * evaluation included) and the roundings of the n products. */
 static void newton_step(search *q, const double *f, const double *ferr,
                         ix__mat m, const double *x, double *step, double *err)
 {
     const ix__system *s = q->sys;
-    double v[IX_MAX_UNKNOWNS];
+    double v[IX_MAX_UNKNOWNS] = {0};
 
-    for (int k = 0; k < s->n; k++)
-        v[k] = ix__tensor_value(&s->t.shape, f + (size_t)k * s->t.shape.size, x,
-                                q->work);
+    values_at(q, f, x, v);
+    times(s->n, m, v, step);
     for (int i = 0; i < s->n; i++) {
-        step[i] = err[i] = 0;
-        for (int k = 0; k < s->n; k++) {
-            step[i] += m[i][k] * v[k];
+        err[i] = 0;
+        for (int k = 0; k < s->n; k++)
             err[i] += fabs(m[i][k]) *
                       (ferr[k] + (s->n + 1) * UNIT * fabs(v[k]));
-        }
     }
 }
 
@@ -165,48 +182,50 @@ static double largest_abs(const double *v, int n)
     return m;
 }
 
-static void jacobian_at(search *q, const double *f, const double *x,
+static void jacobian_at(search *q, const double *f, const double *x, double *v,
                         ix__mat jac)
 {
     const ix__system *s = q->sys;
 
     for (int i = 0; i < s->n; i++)
-        ix__tensor_gradient(&s->t.shape, f + (size_t)i * s->t.shape.size, x,
-                            jac[i], q->work);
+        v[i] = ix__tensor_gradient(&s->t.shape, f + (size_t)i * s->t.shape.size,
+                                   x, jac[i], q->work);
 }
 
-/* Newton's method; where the Jacobian is singular, or to begin with, m stands
- * for its inverse (which contracts for sure, but slowly). rest[n] bounds
- * |m f(x)| at the end, rounding included. */
-static void newton(search *q, const double *f, const double *ferr, ix__mat m,
-                   double *x, double *rest)
-{
-    double d[IX_MAX_UNKNOWNS], e[IX_MAX_UNKNOWNS], last = HUGE_VAL;
-    int n = q->sys->n;
-    ix__mat jac, inv;
+#define SETTLED                                                                \
+    0x1p-32 /* of the box: the next step of Newton's method is as small as the \
+               square of that */
 
-    memcpy(inv, m, sizeof inv);
+/* Newton's method from x, to which a step of size last has led; where the
+ * Jacobian is singular, or to begin with, m stands for its inverse (which
+ * contracts for sure, but slowly). */
+static void newton(search *q, const double *f, ix__mat m, double last,
+                   double *x)
+{
+    double v[IX_MAX_UNKNOWNS] = {0}, d[IX_MAX_UNKNOWNS];
+    int n = q->sys->n;
+
     for (int it = 0; it < 60; it++) {
+        ix__mat jac, inv;
+        bool own = false;
         double size;
 
         if (last < 0.1) {
-            jacobian_at(q, f, x, jac);
-            if (!ix__small_invert(n, jac, inv))
-                memcpy(inv, m, sizeof inv);
+            jacobian_at(q, f, x, v, jac);
+            own = ix__small_invert(n, jac, inv);
+        } else {
+            values_at(q, f, x, v);
         }
-        newton_step(q, f, ferr, inv, x, d, e);
+        times(n, own ? inv : m, v, d);
         size = largest_abs(d, n);
         if (!(size < 4) || (last < 1e-7 && !(size < 0.5 * last)))
             break;
         for (int i = 0; i < n; i++)
             x[i] -= d[i];
         last = size;
-        if (size <= UNIT) /* of the box: x cannot be better than that */
+        if (size <= (own ? SETTLED : UNIT))
             break;
     }
-    newton_step(q, f, ferr, m, x, d, e);
-    for (int i = 0; i < n; i++)
-        rest[i] = fabs(d[i]) + e[i];
 }
 
 /* By which a box is inflated on each side: 1/8, less for high degrees, as the
@@ -237,12 +256,11 @@ static void inflate(search *q, const ix__box *b, double *ferr, double *mag)
     }
     memcpy(q->copy, b->c, (size_t)s->n * s->size * sizeof *q->copy);
     for (int k = 0; k < s->n; k++) {
-        double *f = q->copy + (size_t)k * s->size, lo, hi;
+        double *f = q->copy + (size_t)k * s->size;
 
         for (int j = 0; j < s->n; j++)
             ix__tensor_restrict(s, f, j, -q->margin, 1 + q->margin);
-        ix__tensor_range(s, f, &lo, &hi);
-        mag[k] = ix__larger(ix__larger(-lo, hi), b->mag[k]);
+        mag[k] = ix__larger(ix__tensor_size(s, f), b->mag[k]);
         ferr[k] = (b->err[k] + layers * UNIT * mag[k]) * grow;
     }
 }
@@ -322,11 +340,12 @@ static void enclose(int n, const double *rest, ix__mat d, double ball,
         }
 }
 
-/* rest (of the inflated box's coordinates) from the box itself, whose
- * coefficients have not been extrapolated: outside by o, a value's error grows
- * by (1 + 2 o) for each degree. */
-static void improve_rest(search *q, const ix__box *b, ix__mat m,
-                         const double *x, double *rest)
+/* rest[n] bounds |m f(x)|, rounding included, x and m being in the inflated
+ * box's coordinates, by the box itself, whose coefficients have not been
+ * extrapolated: outside by o, a value's error grows by (1 + 2 o) for each
+ * degree. */
+static void rest_at(search *q, const ix__box *b, ix__mat m, const double *x,
+                    double *rest)
 {
     const ix__system *s = q->sys;
     double y[IX_MAX_UNKNOWNS], d[IX_MAX_UNKNOWNS], e[IX_MAX_UNKNOWNS];
@@ -342,7 +361,7 @@ static void improve_rest(search *q, const ix__box *b, ix__mat m,
         ferr[k] = (b->err[k] + 3 * layers * UNIT * b->mag[k]) * grow;
     newton_step(q, b->c, ferr, m, y, d, e);
     for (int i = 0; i < s->n; i++)
-        rest[i] = ix__smaller(rest[i], fabs(d[i]) + e[i]);
+        rest[i] = fabs(d[i]) + e[i];
 }
 
 #define SLACK 0.3     /* contraction above which enclosures are sharpened */
@@ -355,14 +374,13 @@ static void sharpen(search *q, const ix__box *b, double *ferr, double *mag,
 {
     const ix__system *s = q->sys;
     double rest[IX_MAX_UNKNOWNS], better[IX_MAX_UNKNOWNS], layers = 0;
+    double v[IX_MAX_UNKNOWNS];
     ix__mat jac, m, d;
 
-    jacobian_at(q, q->copy, x, jac);
+    jacobian_at(q, q->copy, x, v, jac);
     if (!(ball < NEAR) || !ix__small_invert(s->n, jac, m))
         return;
-    for (int i = 0; i < s->n; i++)
-        rest[i] = HUGE_VAL;
-    improve_rest(q, b, m, x, rest);
+    rest_at(q, b, m, x, rest);
     for (int j = 0; j < s->n; j++) {
         layers += 2 * 3 * (s->t.shape.dims[j] - 1);
         for (int k = 0; k < s->n; k++)
@@ -402,8 +420,10 @@ static ix_status find_the_one(search *q, const ix__box *b, double *ferr,
         *v = NONE;
         return IX_OK;
     }
-    newton(q, q->copy, ferr, m, x, e);
-    improve_rest(q, b, m, x, e);
+    for (int i = 0; i < n; i++)
+        x[i] -= step[i];
+    newton(q, q->copy, m, largest_abs(step, n), x);
+    rest_at(q, b, m, x, e);
     ball = largest_abs(e, n) / (1 - lip);
     if (!(ball < q->margin / 4)) /* could not be told from a neighbour's */
         return IX_OK;
@@ -477,6 +497,19 @@ static int weakest(int n, ix__mat grad)
     return best;
 }
 
+/* Sums become tensors: a sum times a linear function is none. */
+static void expand(search *q)
+{
+    const ix__shape *s = &q->sys->t.shape;
+
+    for (int i = 0; s->sum && i < s->n; i++) {
+        memcpy(q->work, q->g[i].c, s->size * sizeof *q->work);
+        ix__tensor_expand(s, q->work, q->g[i].c);
+        q->g[i].err += s->n * UNIT * q->g[i].mag;
+        ix__shape_init(&q->g[i].shape, s->n, s->dims);
+    }
+}
+
 /* The system near a singular point: the equations rotated until their mean
  * gradients are orthogonal, and the weakest freed of second-order terms. */
 static void resolve(search *q, const ix__box *b, ix__mat jac)
@@ -486,8 +519,9 @@ static void resolve(search *q, const ix__box *b, ix__mat jac)
 
     ix__small_left_vectors(s->n, jac, u);
     combine(q, b, u);
+    expand(q);
     for (int i = 0; i < s->n; i++)
-        ix__tensor_mean_gradient(&s->t.shape, q->g[i].c, grad[i]);
+        ix__tensor_mean_gradient(&q->g[i].shape, q->g[i].c, grad[i]);
     ix__second_order(s->n, q->g, weakest(s->n, grad), grad, q->work,
                      &q->second);
 }
@@ -609,10 +643,8 @@ static ix_status make_search(ix__system *sys)
         more *= (size_t)sys->t.shape.dims[j] + 1;
     IX_SCRATCH_ZERO(sys->t.ctx, q, 1);
     IX_TRY(ix__stack_make(&sys->t, &q->stack));
-    for (int i = 0; i < sys->n; i++) {
-        q->g[i].shape = sys->t.shape;
-        IX_SCRATCH(sys->t.ctx, q->g[i].c, size);
-    }
+    for (int i = 0; i < sys->n; i++)
+        IX_SCRATCH(sys->t.ctx, q->g[i].c, sys->t.shape.sum ? more : size);
     IX_SCRATCH(sys->t.ctx, q->copy, (size_t)sys->n * size);
     IX_SCRATCH(sys->t.ctx, q->second.c, more);
     IX_SCRATCH(sys->t.ctx, q->work, 2 * more);

@@ -16,6 +16,37 @@ void ix__shape_init(ix__shape *s, int n, const int *dims)
         s->stride[j] = s->size;
         s->size *= (size_t)dims[j];
     }
+    s->sum = false;
+}
+
+void ix__shape_init_sum(ix__shape *s, int n, const int *dims)
+{
+    s->n = n;
+    s->size = 0;
+    for (int j = 0; j < n; j++) {
+        s->dims[j] = dims[j];
+        s->stride[j] = s->size;
+        s->size += (size_t)dims[j];
+    }
+    s->sum = true;
+}
+
+/* The layers along j: m of inner numbers each, block after block. */
+typedef struct {
+    size_t inner, m, block, from, to;
+} along;
+
+static along layers_along(const ix__shape *s, int j)
+{
+    along l = {.inner = s->stride[j], .m = (size_t)s->dims[j], .to = s->size};
+
+    if (s->sum) {
+        l.inner = 1;
+        l.from = s->stride[j];
+        l.to = l.from + l.m;
+    }
+    l.block = l.inner * l.m;
+    return l;
 }
 
 /* w[i] = (1 - a) w[i] + a w[i + inner] for m - 1 layers of inner numbers; four
@@ -44,18 +75,33 @@ static void blend_back(double *w, size_t layers, size_t inner, double a)
         w[i + inner] = q * w[i] + a * w[i + inner];
 }
 
+/* The same of a line. */
+static void cut_line(double *w, size_t m, double a, bool low)
+{
+    double q = 1 - a;
+
+    for (size_t k = m - 1; k > 0; k--)
+        for (size_t i = 0; i < k && low; i++)
+            w[i] = q * w[i] + a * w[i + 1];
+    for (size_t k = 1; k < m; k++)
+        for (size_t i = m - 1; i >= k && !low; i--)
+            w[i] = q * w[i - 1] + a * w[i];
+}
+
 void ix__tensor_cut(const ix__shape *s, double *c, int j, double a, bool low)
 {
-    size_t inner = s->stride[j], m = (size_t)s->dims[j];
-    size_t block = inner * m;
+    along l = layers_along(s, j);
 
-    for (double *p = c; p < c + s->size; p += block)
-        for (size_t k = 1; k < m; k++) {
+    for (double *p = c + l.from; p < c + l.to; p += l.block) {
+        if (l.inner == 1)
+            cut_line(p, l.m, a, low);
+        for (size_t k = 1; k < l.m && l.inner > 1; k++) {
             if (low)
-                blend(p, m - k, inner, a);
+                blend(p, l.m - k, l.inner, a);
             else
-                blend_back(p + (k - 1) * inner, m - k, inner, a);
+                blend_back(p + (k - 1) * l.inner, l.m - k, l.inner, a);
         }
+    }
 }
 
 void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
@@ -69,6 +115,116 @@ void ix__tensor_restrict(const ix__shape *s, double *c, int j, double a,
 
 #define MAX_LAYERS 64
 
+/* Widens [*lo, *hi] to hold c[n]. */
+static inline void widen(const double *c, size_t n, double *lo, double *hi)
+{
+    double a = *lo, b = *hi;
+
+    for (size_t i = 0; i < n; i++) {
+        a = c[i] < a ? c[i] : a;
+        b = c[i] > b ? c[i] : b;
+    }
+    *lo = a;
+    *hi = b;
+}
+
+/* The range of n numbers: of many by four running extremes, so that they need
+ * not wait for each other. */
+static void range_of(const double *c, size_t n, double *lo, double *hi)
+{
+    double a[4], b[4];
+    size_t i = 0;
+
+    *lo = *hi = c[0];
+    if (n >= 8) {
+        for (int k = 0; k < 4; k++)
+            a[k] = b[k] = c[k];
+        for (i = 4; i + 4 <= n; i += 4)
+            for (int k = 0; k < 4; k++) {
+                a[k] = c[i + (size_t)k] < a[k] ? c[i + (size_t)k] : a[k];
+                b[k] = c[i + (size_t)k] > b[k] ? c[i + (size_t)k] : b[k];
+            }
+        widen(a, 4, lo, hi);
+        widen(b, 4, lo, hi);
+    }
+    widen(c + i, n - i, lo, hi);
+}
+
+/* Range and size (see ix__tensor_size) of a sum without line j; j < 0: of all.
+ */
+static void measure_without(const ix__shape *s, const double *c, int j,
+                            double *lo, double *hi, double *size)
+{
+    *lo = *hi = *size = 0;
+    for (int i = 0; i < s->n; i++) {
+        double a, b;
+
+        if (i == j)
+            continue;
+        range_of(c + s->stride[i], (size_t)s->dims[i], &a, &b);
+        *lo += a;
+        *hi += b;
+        *size += ix__larger(-a, b);
+    }
+}
+
+void ix__tensor_measure(const ix__shape *s, const double *c, double *lo,
+                        double *hi, double *size)
+{
+    if (s->sum) {
+        measure_without(s, c, -1, lo, hi, size);
+    } else {
+        range_of(c, s->size, lo, hi);
+        *size = ix__larger(-*lo, *hi);
+    }
+}
+
+void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
+                      double *hi)
+{
+    double size;
+
+    ix__tensor_measure(s, c, lo, hi, &size);
+}
+
+double ix__tensor_size(const ix__shape *s, const double *c)
+{
+    double lo, hi, size;
+
+    ix__tensor_measure(s, c, &lo, &hi, &size);
+    return size;
+}
+
+void ix__tensor_center(const ix__shape *s, double *c)
+{
+    double moved = 0, *last = c + s->stride[s->n - 1];
+
+    for (int j = 0; s->sum && j + 1 < s->n; j++) {
+        double *p = c + s->stride[j], v = p[0];
+
+        for (int i = 0; i < s->dims[j]; i++)
+            p[i] -= v;
+        moved += v;
+    }
+    for (int i = 0; s->sum && i < s->dims[s->n - 1]; i++)
+        last[i] += moved;
+}
+
+void ix__tensor_expand(const ix__shape *sum, const double *c, double *out)
+{
+    size_t size = 1;
+
+    out[0] = 0;
+    for (int j = 0; j < sum->n; j++) {
+        const double *p = c + sum->stride[j];
+
+        for (size_t k = (size_t)sum->dims[j]; k-- > 0;)
+            for (size_t i = 0; i < size; i++)
+                out[k * size + i] = out[i] + p[k];
+        size *= (size_t)sum->dims[j];
+    }
+}
+
 /* The layers along j are bounded by numbers, which go through the same passes
  * as the layers do: each coefficient of a part is a convex combination of
  * coefficients, with the same weights in every line. */
@@ -79,21 +235,22 @@ double ix__tensor_restrict_size(const ix__shape *s, const double *c, int j,
                             .dims = {s->dims[j]},
                             .stride = {1},
                             .size = (size_t)s->dims[j]};
-    size_t inner = s->stride[j], m = line.size;
-    double w[MAX_LAYERS] = {0}, lo, hi;
+    double w[MAX_LAYERS] = {0}, lo, hi, from, to, rest = 0;
+    along l = layers_along(s, j);
 
-    if (m > MAX_LAYERS) {
-        ix__tensor_range(s, c, &lo, &hi);
-        return ix__larger(-lo, hi);
-    }
-    for (const double *p = c; p < c + s->size; p += inner * m)
-        for (size_t k = 0; k < m; k++)
-            for (size_t i = 0; i < inner; i++)
-                w[k] = fabs(p[k * inner + i]) > w[k] ? fabs(p[k * inner + i])
-                                                     : w[k];
+    if (l.m > MAX_LAYERS)
+        return ix__tensor_size(s, c);
+    for (const double *p = c + l.from; p < c + l.to; p += l.block)
+        for (size_t k = 0; k < l.m; k++)
+            for (size_t i = 0; i < l.inner; i++)
+                w[k] = fabs(p[k * l.inner + i]) > w[k]
+                           ? fabs(p[k * l.inner + i])
+                           : w[k];
     ix__tensor_restrict(&line, w, 0, a, b);
     ix__tensor_range(&line, w, &lo, &hi);
-    return hi * (1 + 8 * MAX_LAYERS * DBL_EPSILON);
+    if (s->sum)
+        measure_without(s, c, j, &from, &to, &rest);
+    return (hi + rest) * (1 + 8 * MAX_LAYERS * DBL_EPSILON);
 }
 
 /* Contracts the last direction of size dims[n-1] at x by de Casteljau. */
@@ -139,6 +296,34 @@ static void weigh(size_t inner, int m, const double *f, const double *w,
     }
 }
 
+/* Value at x of a line of m numbers, *d its derivative; work has m. */
+static double line_at(const double *c, int m, double x, double *d, double *work)
+{
+    double q = 1 - x;
+
+    if (m == 1) {
+        *d = 0;
+        return c[0];
+    }
+    for (int k = m - 1; k > 1; k--) {
+        for (int i = 0; i < k; i++)
+            work[i] = q * c[i] + x * c[i + 1];
+        c = work;
+    }
+    *d = (m - 1) * (c[1] - c[0]);
+    return q * c[0] + x * c[1];
+}
+
+static double sum_at(const ix__shape *s, const double *c, const double *x,
+                     double *grad, double *work)
+{
+    double sum = 0;
+
+    for (int j = 0; j < s->n; j++)
+        sum += line_at(c + s->stride[j], s->dims[j], x[j], &grad[j], work);
+    return sum;
+}
+
 static bool few_layers(const ix__shape *s)
 {
     for (int j = 0; j < s->n; j++)
@@ -150,8 +335,10 @@ static bool few_layers(const ix__shape *s)
 double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
                         double *work)
 {
-    double b[MAX_LAYERS];
+    double b[MAX_LAYERS], grad[IX_MAX_UNKNOWNS];
 
+    if (s->sum)
+        return sum_at(s, c, x, grad, work);
     if (!few_layers(s)) {
         memcpy(work, c, s->size * sizeof *c);
         for (int j = s->n - 1; j >= 0; j--)
@@ -167,8 +354,8 @@ double ix__tensor_value(const ix__shape *s, const double *c, const double *x,
 }
 
 /* By de Casteljau, for any number of layers. */
-static void gradient_by_layers(const ix__shape *s, const double *c,
-                               const double *x, double *grad, double *work)
+static double gradient_by_layers(const ix__shape *s, const double *c,
+                                 const double *x, double *grad, double *work)
 {
     double *w = work + s->size;
     size_t left = s->size;
@@ -193,18 +380,19 @@ static void gradient_by_layers(const ix__shape *s, const double *c,
         contract(work, inner, m, x[j]);
         left = inner;
     }
+    return work[0];
 }
 
-void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
-                         double *grad, double *work)
+double ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
+                           double *grad, double *work)
 {
     double b[IX_MAX_UNKNOWNS][MAX_LAYERS], d[MAX_LAYERS];
     double *w = work + s->size;
 
-    if (!few_layers(s)) {
-        gradient_by_layers(s, c, x, grad, work);
-        return;
-    }
+    if (s->sum)
+        return sum_at(s, c, x, grad, work);
+    if (!few_layers(s))
+        return gradient_by_layers(s, c, x, grad, work);
     for (int j = 0; j + 1 < s->n; j++)
         bernstein(s->dims[j], x[j], b[j], NULL);
     for (int j = s->n - 1; j >= 0; j--) {
@@ -216,85 +404,69 @@ void ix__tensor_gradient(const ix__shape *s, const double *c, const double *x,
         weigh(s->stride[j], s->dims[j], b[j], c, work);
         c = work;
     }
+    return work[0];
 }
 
 void ix__tensor_mean_gradient(const ix__shape *s, const double *c, double *grad)
 {
     for (int j = 0; j < s->n; j++) {
-        size_t inner = s->stride[j], m = (size_t)s->dims[j];
+        along l = layers_along(s, j);
         double sum = 0;
 
-        for (const double *p = c; p < c + s->size; p += inner * m)
-            for (size_t i = 0; i < inner; i++)
-                sum += p[(m - 1) * inner + i] - p[i];
+        for (const double *p = c + l.from; p < c + l.to; p += l.block)
+            for (size_t i = 0; i < l.inner; i++)
+                sum += p[(l.m - 1) * l.inner + i] - p[i];
         /* the mean of Bernstein coefficients is the mean of the function */
-        grad[j] = sum * (double)m / (double)s->size;
+        grad[j] = sum * (double)l.m / (double)(l.to - l.from);
     }
-}
-
-/* Four running extremes, so that they need not wait for each other. */
-void ix__tensor_range(const ix__shape *s, const double *c, double *lo,
-                      double *hi)
-{
-    double a[4] = {c[0], c[0], c[0], c[0]}, b[4] = {c[0], c[0], c[0], c[0]};
-    size_t i = 0;
-
-    for (; i + 4 <= s->size; i += 4)
-        for (int k = 0; k < 4; k++) {
-            a[k] = c[i + (size_t)k] < a[k] ? c[i + (size_t)k] : a[k];
-            b[k] = c[i + (size_t)k] > b[k] ? c[i + (size_t)k] : b[k];
-        }
-    for (; i < s->size; i++) {
-        a[0] = c[i] < a[0] ? c[i] : a[0];
-        b[0] = c[i] > b[0] ? c[i] : b[0];
-    }
-    for (int k = 1; k < 4; k++) {
-        a[0] = a[k] < a[0] ? a[k] : a[0];
-        b[0] = b[k] > b[0] ? b[k] : b[0];
-    }
-    *lo = a[0];
-    *hi = b[0];
 }
 
 void ix__tensor_slope_range(const ix__shape *s, const double *c, int j,
                             double *lo, double *hi)
 {
-    size_t inner = s->stride[j], m = (size_t)s->dims[j];
     double a = HUGE_VAL, b = -HUGE_VAL;
+    along l = layers_along(s, j);
 
-    if (m == 1) {
+    if (l.m == 1) {
         *lo = *hi = 0;
         return;
     }
-    for (const double *p = c; p < c + s->size; p += inner * m)
-        for (size_t i = 0; i < (m - 1) * inner; i++) {
-            double v = p[i + inner] - p[i];
+    for (const double *p = c + l.from; p < c + l.to; p += l.block)
+        for (size_t i = 0; i < (l.m - 1) * l.inner; i++) {
+            double v = p[i + l.inner] - p[i];
 
             a = v < a ? v : a;
             b = v > b ? v : b;
         }
-    *lo = a * (double)(m - 1);
-    *hi = b * (double)(m - 1);
+    *lo = a * (double)(l.m - 1);
+    *hi = b * (double)(l.m - 1);
 }
 
 /* Range of each layer k along direction j. */
 static void layer_ranges(const ix__shape *s, const double *c, int j, double *lo,
                          double *hi)
 {
-    size_t inner = s->stride[j], m = (size_t)s->dims[j];
+    along l = layers_along(s, j);
+    double a = 0, b = 0, size;
 
-    for (size_t k = 0; k < m; k++) {
+    for (size_t k = 0; k < l.m; k++) {
         lo[k] = HUGE_VAL;
         hi[k] = -HUGE_VAL;
     }
-    for (const double *p = c; p < c + s->size; p += inner * m)
-        for (size_t k = 0; k < m; k++)
-            for (size_t i = 0; i < inner; i++) {
-                double v = p[k * inner + i];
+    for (const double *p = c + l.from; p < c + l.to; p += l.block)
+        for (size_t k = 0; k < l.m; k++)
+            for (size_t i = 0; i < l.inner; i++) {
+                double v = p[k * l.inner + i];
 
                 lo[k] = v < lo[k] ? v : lo[k];
                 hi[k] = v > hi[k] ? v : hi[k];
             }
+    if (s->sum)
+        measure_without(s, c, j, &a, &b, &size);
+    for (size_t k = 0; s->sum && k < l.m; k++) {
+        lo[k] += a;
+        hi[k] += b;
+    }
 }
 
 /* Where the lower hull of the points (k / (m-1), v[k]) is <= 0; sign -1 asks

@@ -125,11 +125,94 @@ static void long_curves(void **state)
     ix_mv_unref(ctx, b);
 }
 
+/* The cubic with value and derivatives d[4][2] at u, over [0, 1]; its weights,
+ * if any, are 1. */
+static ix_mv *cubic_by_jet(double u, double d[4][2], bool weights)
+{
+    static const double choose[4][4] = {{1, 0, 0, 0},
+                                        {1, 1.0 / 3, 0, 0},
+                                        {1, 2.0 / 3, 1.0 / 3, 0},
+                                        {1, 1, 1, 1}};
+    const ix_dir dir = {.basis = IX_BEZIER, .order = 4, .length = 4};
+    double p[12];
+    ix_mv *m;
+
+    for (int k = 0; k < 2; k++) {
+        double c[4] = {d[0][k] - u * d[1][k] + u * u * d[2][k] / 2 -
+                           u * u * u * d[3][k] / 6,
+                       d[1][k] - u * d[2][k] + u * u * d[3][k] / 2,
+                       d[2][k] / 2 - u * d[3][k] / 2, d[3][k] / 6};
+
+        for (int i = 0; i < 4; i++) {
+            double *q = &p[(k + weights) * 4 + i];
+
+            *q = 0;
+            for (int j = 0; j < 4; j++)
+                *q += choose[i][j] * c[j];
+            if (weights)
+                p[i] = 1;
+        }
+    }
+    ASSERT_OK(ctx, ix_mv_new(ctx, 1, &dir, 2, weights, p, &m));
+    return m;
+}
+
+static bool encloses(const ix_solution *s, double t, double u)
+{
+    return s->lo[0] <= t && t <= s->hi[0] && s->lo[1] <= u && u <= s->hi[1];
+}
+
+/* Law: a contact of known order is enclosed by one solution, not certified,
+ * also when weights of 1 keep the equations from being sums. The size of the
+ * box follows from the order and by how much the next derivatives differ
+ * across the curves: what is hidden by 100 roundings. */
+static void contacts(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 60; round++) {
+        int order = 1 + round % 2, at[2] = {0, 0};
+        double t = ix_rng_range(&rng, 0.2, 0.8);
+        double u = ix_rng_range(&rng, 0.2, 0.8), d[2][4][2];
+        double off[2], room;
+
+        for (int j = 0; j < 4; j++)
+            for (int k = 0; k < 2; k++) {
+                d[0][j][k] = ix_rng_range(&rng, -1, 1);
+                d[1][j][k] = j <= order ? d[0][j][k]
+                                        : ix_rng_range(&rng, -1, 1);
+            }
+        d[0][1][0] = d[1][1][0] = 1;
+        for (int k = 0; k < 2; k++)
+            off[k] = d[1][order + 1][k] - d[0][order + 1][k];
+        room = fabs(d[0][1][0] * off[1] - d[0][1][1] * off[0]);
+        room = 40 * pow(1e-14 / room, 1.0 / (order + 1));
+        for (int weights = 0; weights < 2; weights++) {
+            ix_mv *a = cubic_by_jet(t, d[0], false);
+            ix_mv *b = cubic_by_jet(u, d[1], weights);
+            ix_solutions s;
+
+            ASSERT_OK(ctx, ix_crv_crv_meet(ctx, a, b, NULL, &s));
+            assert_true(s.complete);
+            for (int i = 0; i < s.n; i++)
+                if (encloses(&s.sol[i], t, u)) {
+                    at[weights]++;
+                    assert_false(s.sol[i].certified);
+                    assert_true(s.sol[i].hi[0] - s.sol[i].lo[0] < room);
+                }
+            assert_int_equal(at[weights], 1);
+            ix_solutions_free(ctx, &s);
+            ix_mv_unref(ctx, a);
+            ix_mv_unref(ctx, b);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(as_the_whole_system),
         cmocka_unit_test(long_curves),
+        cmocka_unit_test(contacts),
     };
 
     return cmocka_run_group_tests(tests, setup, teardown);
