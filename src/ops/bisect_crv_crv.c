@@ -119,8 +119,12 @@ static bool may_meet(const ix__set *a, const ix__set *b)
 static ix_status walk(ix_ctx *ctx, const ix__object obj[2],
                       const ix_frame *frame, double tol, ix_bisector *out)
 {
-    ix__walk w = {obj[0].set, obj[1].set, tol, GRID,
-                  may_meet(obj[0].set, obj[1].set)};
+    ix__walk w = {obj[0].set,
+                  obj[1].set,
+                  tol,
+                  GRID,
+                  may_meet(obj[0].set, obj[1].set),
+                  ix__sets_size(obj[0].set, obj[1].set)};
     places seeds = {0, NULL};
     ix__walked done;
 

@@ -133,6 +133,11 @@ static ix_status fan_normals(normals *k, int v)
     return IX_OK;
 }
 
+static double set_size(const problem *p)
+{
+    return ldexp(ix__sets_size(&p->point, &p->curve), p->frame.exp);
+}
+
 static ix_status on_curve(const problem *p, const ix__touch *at,
                           ix_bisector *out)
 {
@@ -142,7 +147,7 @@ static ix_status on_curve(const problem *p, const ix__touch *at,
     normals k = {.p = p, .t = ix__span_parameter(sp, at->u), .out = out};
     ix_status st;
 
-    *out = (ix_bisector){.size = ldexp(1.0, p->frame.exp)};
+    *out = (ix_bisector){.size = set_size(p)};
     out->bytes = MOST * (sizeof *out->piece + 10 * sizeof(double));
     out->piece = ix__alloc(p->ctx, out->bytes);
     if (!out->piece)
@@ -162,7 +167,7 @@ static ix_status solve(problem *p, bool whole, ix_bisector *out)
 {
     const ix_mv *const crv[1] = {p->crv};
     ix__set_opts o = {.carrier = whole};
-    ix__walk w = {&p->point, &p->curve, p->tol, GRID, false};
+    ix__walk w = {&p->point, &p->curve, p->tol, GRID, false, 0.0};
     ix__object obj[2] = {{.set = &p->point, .point = {p->q[0], p->q[1]}},
                          {.set = &p->curve, .n = 1, .crv = crv}};
     const double at[1][2] = {{p->q[0], p->q[1]}};
@@ -177,9 +182,10 @@ static ix_status solve(problem *p, bool whole, ix_bisector *out)
     if (ix__set_distance(&p->curve, p->at, &foot) <= ON_CURVE) {
         if (!p->curve.span[foot.span].phantom)
             return on_curve(p, &foot, out);
-        *out = (ix_bisector){.size = ldexp(1.0, p->frame.exp)};
+        *out = (ix_bisector){.size = set_size(p)};
         return IX_OK; /* the carrier passes through q beyond the curve */
     }
+    w.size = ix__sets_size(&p->point, &p->curve);
     IX_TRY(ix__walk_all(p->ctx, &w, 0, NULL, &done));
     return ix__bisector_make(p->ctx, &done, obj, &p->frame, out);
 }

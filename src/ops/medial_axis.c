@@ -253,7 +253,7 @@ static void add_vertex(maker *k, const ix__sample *a, ix_medial_branch *b,
 static void add_branch(maker *k, int index)
 {
     const ix__run *r = &k->w->run[index];
-    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID, false};
+    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID, false, 0.0};
     const ix__set *s = &k->g->set;
     ix_medial_branch *b = &k->out->branch[k->out->nbranches++];
     const ix__sample *a = ix__run_at(k->w, r, 0);
@@ -301,7 +301,8 @@ static ix_status make(region *g, const ix__walked *w, ix_medial_axis *out)
 
     for (int i = 0; i < w->nruns; i++)
         total += (size_t)w->run[i].count + 2;
-    *out = (ix_medial_axis){.size = ldexp(1.0, g->frame.exp)};
+    *out = (ix_medial_axis){
+        .size = ldexp(ix__sets_size(&g->set, &g->set), g->frame.exp)};
     out->bytes = n * (sizeof *out->branch + 2 * sizeof *out->node) +
                  5 * total * sizeof(double);
     out->branch = ix__alloc(g->ctx, out->bytes);
@@ -332,13 +333,14 @@ static ix_status check_closed(const region *g)
 
 static ix_status run(region *g, ix_medial_axis *out)
 {
-    ix__walk w = {&g->set, &g->set, g->tol, GRID, false};
+    ix__walk w = {&g->set, &g->set, g->tol, GRID, false, 0.0};
     ix__walked done;
 
     IX_TRY(ix__plane_frame(g->ctx, g->n, g->crv, 0, NULL, &g->frame));
     IX_TRY(ix__set_of_curves(g->ctx, g->n, g->crv, &g->frame, (ix__set_opts){0},
                              &g->set));
     IX_TRY(check_closed(g));
+    w.size = ix__sets_size(&g->set, &g->set);
     IX_TRY(keep_inside(g, &w));
     if (g->set.nloops == 0)
         return IX_FAIL(g->ctx, IX_EDOMAIN, "the curves enclose nothing");

@@ -97,6 +97,9 @@ ix_status ix__set_of_point(ix_ctx *ctx, const double x[2],
 /* The frame of some curves and points x[npts][2]: the unit box. */
 ix_status ix__plane_frame(ix_ctx *ctx, int n, const ix_mv *const *crv, int npts,
                           const double (*x)[2], ix_frame *out) IX_MUST_CHECK;
+/* Half the longest edge of the box of both, as far as places of each span tell:
+ * that of control points may be several times as large. */
+double ix__sets_size(const ix__set *a, const ix__set *b);
 /* Marks the vertices of a that lie on b and those of b that lie on a. */
 void ix__sets_share(ix__set *a, ix__set *b);
 

@@ -373,7 +373,8 @@ ix_status ix__bisector_make(ix_ctx *ctx, const ix__walked *w,
     size_t n = (size_t)w->nruns, total = 0;
     ix_status st;
 
-    *out = (ix_bisector){.size = ldexp(1.0, frame->exp)};
+    *out = (ix_bisector){
+        .size = ldexp(ix__sets_size(obj[0].set, obj[1].set), frame->exp)};
     if (n == 0)
         return IX_OK;
     for (int i = 0; i < w->nruns; i++)

@@ -38,7 +38,7 @@ static int by_place(const void *a, const void *b)
 /* Places of the own border that are seen from the other one. */
 static ix_status seeds_from_other(ix_ctx *ctx, const ix__walk *w, places *l)
 {
-    ix__walk back = {w->other, w->own, w->tol, w->grid, w->meeting};
+    ix__walk back = {w->other, w->own, w->tol, w->grid, w->meeting, w->size};
     ix__sample s;
     ix__place p;
 
@@ -183,8 +183,7 @@ static bool as_expected(const ix__walk *w, const ix__sample *a,
 {
     double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
     double e[2] = {m->b[0] - a->b[0], m->b[1] - a->b[1]};
-    double len = hypot(d[0], d[1]), size = fmax(1.0, hypot(m->b[0], m->b[1]));
-    double tol = 2.0 * w->tol * size;
+    double len = hypot(d[0], d[1]), tol = 2.0 * ix__walk_room(w, m);
 
     if (!m->valid || !ix__same_feet(w, a, m))
         return false;

@@ -18,6 +18,8 @@ enum { MOST_EVENTS = 4 };
 /* Feet nearer than this part of the radius count as so far apart when steps are
  * chosen: along nearly parallel curves they would be too many. */
 #define NARROW 0.05
+/* No step is longer than this part of the size, or of the radius. */
+#define LONGEST 0.25
 
 /* --- refinement ------------------------------------------------------------
  */
@@ -57,16 +59,15 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
     double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
     double e[2] = {m->b[0] - a->b[0], m->b[1] - a->b[1]};
     double len = hypot(d[0], d[1]), part = d[0] * e[0] + d[1] * e[1];
-    double size = fmax(1.0, hypot(m->b[0], m->b[1]));
+    double room = ix__walk_room(w, m);
 
-    if (!(len <= 0.25 * size))
+    if (!(w->tol * len <= LONGEST * room))
         return false;
-    if (len <= w->tol * size)
-        return hypot(e[0], e[1]) <= w->tol * size;
-    if (!a->own_circle &&
-        !(chord(a, m, w->tol * size) && chord(m, b, w->tol * size)))
+    if (len <= room)
+        return hypot(e[0], e[1]) <= room;
+    if (!a->own_circle && !(chord(a, m, room) && chord(m, b, room)))
         return false;
-    return fabs(d[0] * e[1] - d[1] * e[0]) <= w->tol * size * len &&
+    return fabs(d[0] * e[1] - d[1] * e[0]) <= room * len &&
            part >= 0.04 * len * len && part <= 0.96 * len * len;
 }
 
@@ -85,26 +86,55 @@ static bool as_promised(double covered, double h, const double v[3], bool far,
     return far && fabs(fabs(covered) - mean) <= 0.05 * fabs(covered) + least;
 }
 
-/* Can what comes between the samples a, m and b, and is seen by none of them,
- * be told from the chords between them?
+/* The square of the tangents from y to the circle around a: what y is outside
+ * of it. */
+static double outside(const ix__sample *a, const double y[2])
+{
+    double d = hypot(y[0] - a->b[0], y[1] - a->b[1]);
+
+    return fmax((d - a->r) * (d + a->r), 0.0);
+}
+
+/* Between two neighbours a and b, with feet y at a and z at b on one of the
+ * sets: how much the squared distance from that set may be more, on the chord,
+ * than what no set can be nearer.
  *
- * A point y outside the circles around a and m is outside that around the
- * middle between them but for l^2 / (8 r), l their distance: |y - .|^2 is
- * convex, with second derivative 2, and so is the radius squared less that. The
- * difference of both distances grows with |x - c| / r across the bisector, x
- * and c the feet: it moves by l^2 / (8 |x - c|) at most. */
+ * On the chord of length l, s from 0 to 1, |y - .|^2 is (1-s) |y - a|^2 +
+ * s |y - b|^2 - s (1-s) l^2. So with q = (1-s) r_a^2 + s r_b^2 - s (1-s) l^2
+ * every point that is outside both circles is at least sqrt(q) away from the
+ * chord, and the set no more than sqrt(q + s outside(b, y)) and
+ * sqrt(q + (1-s) outside(a, z)): whatever comes and goes between a and b, the
+ * larger sum is the harmonic one at most. It is zero if both circles and all
+ * between them pass through the foot. */
+static double excess(const ix__sample *a, const ix__sample *b,
+                     const double y[2], const double z[2])
+{
+    double p = outside(b, y), q = outside(a, z);
+
+    return p + q > 0.0 ? p * q / (p + q) : 0.0;
+}
+
+static double feet_apart(const ix__sample *a)
+{
+    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]);
+}
+
+/* Is the chord from a to b as good as the tolerance, whatever is hidden between
+ * them? Both distances from a point of it lie between sqrt(q) and sqrt(q +
+ * excess). The difference grows with |x - c| / r across the bisector, x and c
+ * the feet. */
 static bool nothing_between(const ix__walk *w, const ix__sample *a,
                             const ix__sample *b)
 {
-    double size = fmax(1.0,
-                       fmin(hypot(a->b[0], a->b[1]), hypot(b->b[0], b->b[1])));
-    double len = 0.5 * hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
-    double apart = fmin(hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]),
-                        hypot(b->x[0] - b->c[0], b->x[1] - b->c[1]));
+    const ix__sample *small = a->r < b->r ? a : b;
+    double most = fmax(excess(a, b, a->c, b->c), excess(a, b, a->x, b->x));
+    double apart = fmax(fmin(feet_apart(a), feet_apart(b)), NARROW * small->r);
+    double room = ix__walk_room(w, small);
+    double half = 0.5 * hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
+    double q = fmax(small->r * small->r - half * half, 0.0);
 
-    apart = fmax(apart, NARROW * fmin(a->r, b->r));
-    return fmax(a->r, b->r) <= w->tol * size || size > IX__FAR ||
-           len * len <= 8.0 * w->tol * size * apart;
+    return fmax(a->r, b->r) <= room ||
+           most * small->r <= apart * room * (sqrt(q + most) + sqrt(q));
 }
 
 /* Nothing happens between a and b, of which m is the middle. */
@@ -113,26 +143,28 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
 {
     const double speed[3] = {a->speed, m->speed, b->speed};
     const double rate[3] = {a->rate, m->rate, b->rate};
-    double d, e, size;
+    double d, e, room;
+    bool far;
 
     if (!m->valid || !ix__same_feet(w, a, b) || !ix__same_feet(w, a, m) ||
         ix__walk_turns(w, a, b) || ix__passes_seam(w, a, b) ||
         !flat(w, a, m, b))
         return false;
-    size = fmax(1.0, hypot(m->b[0], m->b[1]));
     if (a->own_circle)
         return true;
-    if (!nothing_between(w, a, b))
+    if (!nothing_between(w, a, m) || !nothing_between(w, m, b))
         return false;
+    room = ix__walk_room(w, m);
+    far = hypot(m->b[0], m->b[1]) > IX__FAR;
     if (!as_promised(hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]), b->at - a->at,
-                     speed, size > IX__FAR, 0.1 * w->tol * size))
+                     speed, far, 0.1 * room))
         return false;
     if (a->vertex >= 0)
         return true;
     d = ix__foot_way(w->other, &a->foot, &b->foot);
     if (!isfinite(d)) /* a corner between */
         return false;
-    if (!as_promised(d, b->at - a->at, rate, size > IX__FAR, 1e-6))
+    if (!as_promised(d, b->at - a->at, rate, far, 1e-6))
         return false;
     e = ix__foot_way(w->other, &a->foot, &m->foot);
     if (fabs(d) <= 1e-12)

@@ -29,10 +29,12 @@ typedef struct {
 
 typedef struct {
     const ix__set *own, *other; /* may be one set: its medial axis */
-    double tol;   /* of the polyline of centres, relative to their distance */
+    double tol;   /* of the polyline of centres, relative to size or, farther
+                     out, to the distance r from both sets */
     int grid;     /* samples of each element of the border at least */
     bool meeting; /* the sets may have points in common: centres whose circle
                      touches in such a point do not count */
+    double size;  /* ix__sets_size */
 } ix__walk;
 
 /* A place to look at: where another touches, or a foot found from elsewhere. */
@@ -41,6 +43,11 @@ typedef struct {
     double at;
 } ix__place;
 
+/* What the polyline may be off at a centre. */
+static inline double ix__walk_room(const ix__walk *w, const ix__sample *a)
+{
+    return w->tol * (a->r > w->size ? a->r : w->size);
+}
 /* The sample there. */
 void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out);
 /* The place of the own border from which the circle around b through the foot

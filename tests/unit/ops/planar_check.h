@@ -9,8 +9,9 @@
 /* Vertices: what golden sections leave of distances, with a margin; the size is
  * that of both curves. */
 #define SOUND 1e-9
-/* The polyline is within 1e-4 of the size, or of the distance farther out. */
-#define OFF 2.2e-4
+/* The polyline is within 1e-4 of the size, or of the distance farther out: with
+ * both feet on opposite sides distances differ by twice that. */
+#define OFF 2.05e-4
 /* Feet this near each other are one point of both curves. */
 #define ONE_FOOT 1e-6
 /* Ends that meet: near a circle of curvature a centre is known to about the
@@ -64,9 +65,10 @@ static inline void check_vertex(const problem *p, const double *x, double r)
     }
 }
 
-static inline void check_chord(const problem *p, const double *x)
+/* Anywhere between two vertices. */
+static inline void check_chord(const problem *p, const double *x, double s)
 {
-    double m[2] = {0.5 * (x[0] + x[2]), 0.5 * (x[1] + x[3])};
+    double m[2] = {x[0] + s * (x[2] - x[0]), x[1] + s * (x[3] - x[1])};
     double a = truth_distance(&p->set[0], m), b = truth_distance(&p->set[1], m);
 
     if (!(fabs(a - b) <= OFF * fmax(p->size, a)))
@@ -108,7 +110,7 @@ static inline void check_sound(const problem *p)
                 continue;
             check_vertex(p, g->x + 2 * j, g->r[j]);
             if (j + 1 < g->n)
-                check_chord(p, g->x + 2 * j);
+                check_chord(p, g->x + 2 * j, fmod(0.5 + 0.618 * j, 1));
         }
         check_exact(p, g);
     }
