@@ -1,10 +1,9 @@
 /* plane_bisector.c - pieces of bisectors from runs: vertices in the user's
- * coordinates, feet as the user's parameters, exact curves. */
+ * coordinates, feet as the user's parameters. */
 #include <math.h>
 #include <string.h>
 
 #include "geom/parts.h"
-#include "iritx/ops_bisect.h"
 #include "mv/mv.h"
 #include "ops/plane_bisector.h"
 
@@ -164,120 +163,6 @@ static void vertices(maker *k, const ix__run *r, ix_bisector_piece *p)
     p->r = rad;
 }
 
-/* --- exact pieces ----------------------------------------------------------
- */
-
-/* The user's coordinates of a foot that stays. */
-static ix_status fixed_foot(const maker *k, const ix_bisector_piece *p, int i,
-                            double out[2])
-{
-    const ix__object *o = &k->obj[i];
-    double t = p->foot[i];
-
-    if (o->crv)
-        return ix_mv_point(k->ctx, o->crv[p->curve[i]], &t, out);
-    memcpy(out, o->point, 2 * sizeof(double));
-    return IX_OK;
-}
-
-static ix_status bezier(ix_ctx *ctx, int order, const double *wxy, ix_mv **out)
-{
-    ix_dir d = {.basis = IX_BEZIER, .order = order, .length = order};
-    double pts[9];
-
-    for (int i = 0; i < order; i++)
-        for (int k = 0; k < 3; k++)
-            pts[k * order + i] = wxy[3 * i + k];
-    return ix_mv_new(ctx, 1, &d, 2, true, pts, out);
-}
-
-/* (1, x) of a vertex or (0, direction) at infinity. */
-static void straight_end(const ix_bisector_piece *p, int e, double out[3])
-{
-    const double *x = p->x + (e ? 2 * (p->n - 1) : 0);
-    bool far = p->unbounded[e];
-
-    out[0] = far ? 0.0 : 1.0;
-    out[1] = far ? p->dir[e][0] : x[0];
-    out[2] = far ? p->dir[e][1] : x[1];
-}
-
-static ix_status exact_straight(const maker *k, ix_bisector_piece *p)
-{
-    double c[9], a[2], b[2];
-
-    straight_end(p, 0, c);
-    straight_end(p, 1, c + 3);
-    if (!(p->unbounded[0] && p->unbounded[1]))
-        return bezier(k->ctx, 2, c, &p->exact);
-    IX_TRY(fixed_foot(k, p, 0, a)); /* a whole line: its middle between */
-    IX_TRY(fixed_foot(k, p, 1, b));
-    for (int i = 0; i < 3; i++)
-        c[6 + i] = c[3 + i];
-    c[3] = 1.0;
-    c[4] = 0.5 * (a[0] + b[0]);
-    c[5] = 0.5 * (a[1] + b[1]);
-    return bezier(k->ctx, 3, c, &p->exact);
-}
-
-/* Ends at infinity have no weight. */
-static ix_status mark_pole(ix_ctx *ctx, int end, ix_mv **m)
-{
-    size_t i = end ? (*m)->npts - 1 : 0;
-    const double *c = (*m)->pts;
-    double pt[3] = {0.0, c[(*m)->npts + i], c[2 * (*m)->npts + i]};
-    ix_mv *out;
-
-    IX_TRY(ix_mv_set_point(ctx, *m, i, pt, &out));
-    ix_mv_unref(ctx, *m);
-    *m = out;
-    return IX_OK;
-}
-
-static ix_status orient(ix_ctx *ctx, bool back, const bool far[2], ix_mv **m)
-{
-    ix_mv *out;
-
-    if (back) {
-        IX_TRY(ix_mv_reverse(ctx, *m, 0, &out));
-        ix_mv_unref(ctx, *m);
-        *m = out;
-    }
-    for (int e = 0; e < 2; e++)
-        if (far[e])
-            IX_TRY(mark_pole(ctx, e, m));
-    return IX_OK;
-}
-
-/* The rational bisector over the parameters of the moving foot; for unbounded
- * ends those of the last sample of the run, which are at infinity to the last
- * digits. */
-static ix_status exact_rational(const maker *k, const ix__run *r,
-                                ix_bisector_piece *p)
-{
-    int i = p->point[0] ? 1 : 0;
-    const ix__sample *a = ix__run_at(k->w, r, 0);
-    const ix__sample *b = ix__run_at(k->w, r, r->count - 1);
-    const ix_mv *crv = k->obj[i].crv[p->curve[i]];
-    double q[2], t[2];
-    ix_mv *crv_part, *m;
-    ix_status st;
-
-    IX_TRY(fixed_foot(k, p, 1 - i, q));
-    for (int e = 0; e < 2; e++)
-        t[e] = i ? ix__other_parameter(k->obj[1].set, e ? b : a)
-                 : ix__own_parameter(k->obj[0].set, e ? b : a);
-    if (t[0] == t[1])
-        return IX_OK; /* shorter than rounding */
-    IX_TRY(ix_mv_region(k->ctx, crv, 0, fmin(t[0], t[1]), fmax(t[0], t[1]),
-                        &crv_part));
-    st = ix_pt_crv_bisector(k->ctx, crv_part, q, 0.5, NULL, NULL, &m);
-    ix_mv_unref(k->ctx, crv_part);
-    IX_TRY(st);
-    p->exact = m;
-    return orient(k->ctx, t[0] > t[1], p->unbounded, &p->exact);
-}
-
 /* --- pieces ----------------------------------------------------------------
  */
 
@@ -338,10 +223,7 @@ static ix_status fill(maker *k, ix_bisector *out)
         describe(k, r, p);
         vertices(k, r, p);
         count_component(out);
-        if (p->kind == IX_POINT_POINT)
-            IX_TRY(exact_straight(k, p));
-        else if (p->kind == IX_POINT_CURVE)
-            IX_TRY(exact_rational(k, r, p));
+        IX_TRY(ix__bisector_exact(k->ctx, k->w, k->obj, r, p));
     }
     return IX_OK;
 }

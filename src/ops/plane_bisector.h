@@ -17,6 +17,11 @@ typedef struct {
 ix_status ix__bisector_make(ix_ctx *ctx, const ix__walked *w,
                             const ix__object obj[2], const ix_frame *frame,
                             ix_bisector *out) IX_MUST_CHECK;
+/* Fills p->exact of a piece that has its vertices. Err those of
+ * ix_pt_crv_bisector. */
+ix_status ix__bisector_exact(ix_ctx *ctx, const ix__walked *w,
+                             const ix__object obj[2], const ix__run *r,
+                             ix_bisector_piece *p) IX_MUST_CHECK;
 /* The user's parameters of both feet. */
 double ix__own_parameter(const ix__set *s, const ix__sample *a);
 double ix__other_parameter(const ix__set *s, const ix__sample *a);

@@ -4,6 +4,8 @@
 #ifndef UNIT_OPS_PLANAR_CHECK_H
 #define UNIT_OPS_PLANAR_CHECK_H
 
+#include <float.h>
+
 #include "planar_truth.h"
 
 /* Vertices: what golden sections leave of distances, with a margin; the size is
@@ -76,6 +78,28 @@ static inline void check_chord(const problem *p, const double *x, double s)
               x[0], x[1], x[2], x[3], a, b);
 }
 
+/* What coordinates round, a few ulp: the middle's, farther out those there. */
+static inline double coordinate_ulps(const problem *p, const double *x)
+{
+    return 16 * DBL_EPSILON *
+           (hypot(p->mid[0], p->mid[1]) + truth_dist(x, p->mid));
+}
+
+/* The exact piece begins and ends where its polyline does; far out the rounding
+ * of a tangent moves both along the bisector, with the square of the distance.
+ */
+static inline void check_exact_end(const problem *p, const ix_bisector_piece *g,
+                                   int e, const double *x)
+{
+    const double *v = g->x + (e ? 2 * (g->n - 1) : 0);
+    double r = g->r[e ? g->n - 1 : 0];
+
+    if (!(truth_dist(x, v) <=
+          SOUND * fmax(p->size, r * r / p->size) + coordinate_ulps(p, x)))
+        WRONG(p, "the exact piece's end %d is %g off its vertex", e,
+              truth_dist(x, v));
+}
+
 static inline void check_exact(const problem *p, const ix_bisector_piece *g)
 {
     double dom[2];
@@ -83,18 +107,19 @@ static inline void check_exact(const problem *p, const ix_bisector_piece *g)
     if (!g->exact)
         return;
     ix_mv_domain(g->exact, 0, dom);
-    for (int i = 1; i < 8; i++) {
-        double t = dom[0] + (dom[1] - dom[0]) * i / 8.0, x[2], a, b, far;
+    for (int i = 0; i <= 8; i++) {
+        double t = i == 8 ? dom[1] : dom[0] + (dom[1] - dom[0]) * i / 8.0;
+        double x[2], a, b;
 
+        if (i % 8 == 0 && g->unbounded[i == 8])
+            continue;
         ASSERT_OK(p->ctx, ix_mv_point(p->ctx, g->exact, &t, x));
-        far = truth_dist(x, p->mid);
         a = truth_distance(&p->set[0], x);
         b = truth_distance(&p->set[1], x);
-        /* coordinates, not distances, are what rounds */
-        if (!(fabs(a - b) <=
-              1e-7 * fmax(p->size, a) +
-                  1e-12 * hypot(p->mid[0], p->mid[1]) * fmax(1, far / p->size)))
+        if (!(fabs(a - b) <= SOUND * fmax(p->size, a) + coordinate_ulps(p, x)))
             WRONG(p, "the exact piece at %g: distances %.12g, %.12g", t, a, b);
+        if (i % 8 == 0)
+            check_exact_end(p, g, i == 8, x);
     }
 }
 

@@ -142,7 +142,9 @@ static inline void truth_golden(const truth_arc *a, const double q[2],
         truth_at(a, u[k], x[k]);
         d[k] = truth_dist(x[k], q);
     }
-    for (int i = 0; i < 34; i++) {
+    /* where the curve passes through q the distance is no parabola, but an
+       angle: as many more steps as its square has digits */
+    for (int i = 0; i < 34 || (i < 60 && fmin(d[0], d[1]) < 1e-6); i++) {
         int k = d[0] < d[1] ? 1 : 0; /* the one that is replaced */
 
         if (k) {
