@@ -27,7 +27,8 @@ extern "C" {
 typedef enum {
     IX_POINT_POINT, /* straight */
     IX_POINT_CURVE, /* rational */
-    IX_CURVE_CURVE  /* in general not rational: a polyline and its feet */
+    IX_CURVE_CURVE  /* in general not rational: a polyline and its feet; of
+                       lines and circles a conic */
 } ix_bisector_kind;
 
 /* One piece. Vertices are double[n][2]. */
@@ -48,9 +49,10 @@ typedef struct {
     int component;      /* from 0: joined pieces with their feet on the same
                            points and open curves are one component, which has
                            a corner where a foot jumps */
-    ix_mv *exact;       /* point-point, point-curve: P2, in the sense of the
-                           vertices; an unbounded end has weight 0. NULL for
-                           curve-curve */
+    ix_mv *exact;       /* point-point, point-curve, and curve-curve where both
+                           are straight or arcs of circles (a conic): P2, in the
+                           sense of the vertices; an unbounded end has weight 0.
+                           NULL for other curve-curve pieces */
 } ix_bisector_piece;
 
 typedef struct {

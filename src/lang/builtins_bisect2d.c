@@ -103,7 +103,8 @@ static ix_status describe(ix_ctx *ctx, ix_obj *o, const ix_bisector_piece *p)
     return ix__attr_set_string(ctx, &o->attrs, "Kind", kinds[p->kind]);
 }
 
-/* The polyline with its feet as the attribute Feet. */
+/* The polyline with its feet as the attribute Feet, and what it is exactly, if
+ * that is a conic. */
 static ix_status curve_curve(ix_ctx *ctx, const ix_bisector_piece *p,
                              ix_obj **out)
 {
@@ -128,6 +129,11 @@ static ix_status curve_curve(ix_ctx *ctx, const ix_bisector_piece *p,
     if (st == IX_OK)
         st = o ? ix__attr_set_obj(ctx, &(*out)->attrs, "Feet", o) : IX_ENOMEM;
     ix__obj_unref(ctx, o);
+    if (st != IX_OK || !p->exact)
+        return st;
+    o = ix__obj_mv(ctx, IX_OBJ_CURVE, ix_mv_ref(p->exact));
+    st = o ? ix__attr_set_obj(ctx, &(*out)->attrs, "Exact", o) : IX_ENOMEM;
+    ix__obj_unref(ctx, o);
     return st;
 }
 
@@ -137,7 +143,7 @@ static ix_status piece_object(ix_ctx *ctx, const ix_bisector_piece *p,
     ix_status st = IX_OK;
 
     *out = NULL;
-    if (p->exact)
+    if (p->exact && p->kind != IX_CURVE_CURVE)
         *out = ix__obj_mv(ctx, IX_OBJ_CURVE, ix_mv_ref(p->exact));
     else
         st = curve_curve(ctx, p, out);
@@ -634,7 +640,8 @@ const ix_builtin ix__builtins_bisect2d[] = {
     {"SEGBISECT", "c1:curve c2:curve -> list",
      "The components of the bisector of two curve segments, in order: Kind "
      "point-point, point-curve (both exact) or curve-curve (polylines with "
-     "Feet), with the parameters of the feet as Foot1, Foot2.",
+     "Feet; of lines and arcs of circles also the conic, as Exact), with the "
+     "parameters of the feet as Foot1, Foot2.",
      TWO "l = segbisect(c, d);", segbisect, 0, 21},
     {"BISECTEVAL", "piece:curve c1:curve c2:curve t:num -> point",
      "The exact point at t of a component of SEGBISECT(c1, c2).",

@@ -1,5 +1,5 @@
 /* plane_exact.c - exact pieces of bisectors: straight ones between two points,
- * rational ones between a point and a curve.
+ * rational ones between a point and a curve, conics between lines and circles.
  *
  * A rational piece is computed with its point as origin: coordinates that are
  * large against the distance of both would cost digits in each step, and a
@@ -11,6 +11,7 @@
 #include "iritx/ops_bisect.h"
 #include "mv/mv.h"
 #include "ops/plane_bisector.h"
+#include "ops/plane_conic.h"
 
 /* A first point whose numbers are no larger than this part of the largest is
  * zero: the tangent vanishes there. As in plane_set.c, where points that are
@@ -310,9 +311,15 @@ static double moving_foot(const maker *k, int i, const ix__sample *a)
     return ix__span_parameter(&k->obj[1].set->span[a->foot.span], a->foot.u);
 }
 
-/* The rational bisector over the parameters of the moving foot; for unbounded
- * ends those of the last sample of the run, which are at infinity to the last
- * digits. */
+/* The moving foot on object i at both ends of the run: unbounded ones are at
+ * infinity to the last digits. */
+static void moving_feet(const maker *k, const ix__run *r, int i, double t[2])
+{
+    for (int e = 0; e < 2; e++)
+        t[e] = moving_foot(k, i, ix__run_at(k->w, r, e ? r->count - 1 : 0));
+}
+
+/* The rational bisector over the parameters of the moving foot. */
 static ix_status exact_rational(const maker *k, const ix__run *r,
                                 ix_bisector_piece *p)
 {
@@ -320,8 +327,7 @@ static ix_status exact_rational(const maker *k, const ix__run *r,
     double q[2], t[2], range[2];
 
     IX_TRY(fixed_foot(k, p, 1 - i, q));
-    for (int e = 0; e < 2; e++)
-        t[e] = moving_foot(k, i, ix__run_at(k->w, r, e ? r->count - 1 : 0));
+    moving_feet(k, r, i, t);
     if (t[0] == t[1])
         return IX_OK; /* shorter than rounding */
     range[0] = fmin(t[0], t[1]);
@@ -329,6 +335,24 @@ static ix_status exact_rational(const maker *k, const ix__run *r,
     IX_TRY(
         around_origin(k->ctx, k->obj[i].crv[p->curve[i]], range, q, &p->exact));
     return orient(k->ctx, t[0] > t[1], p->unbounded, q, &p->exact);
+}
+
+/* --- lines and circles -----------------------------------------------------
+ */
+
+static ix_status exact_conic(const maker *k, const ix__run *r,
+                             ix_bisector_piece *p)
+{
+    const ix_mv *crv[2];
+    double t[2][2];
+    bool straight;
+
+    for (int i = 0; i < 2; i++) {
+        crv[i] = k->obj[i].crv[p->curve[i]];
+        moving_feet(k, r, i, t[i]);
+    }
+    IX_TRY(ix__bisector_conic(k->ctx, crv, t, p, &straight, &p->exact));
+    return straight ? exact_straight(k, p) : IX_OK;
 }
 
 ix_status ix__bisector_exact(ix_ctx *ctx, const ix__walked *w,
@@ -339,5 +363,5 @@ ix_status ix__bisector_exact(ix_ctx *ctx, const ix__walked *w,
 
     return p->kind == IX_POINT_POINT   ? exact_straight(&k, p)
            : p->kind == IX_POINT_CURVE ? exact_rational(&k, r, p)
-                                       : IX_OK;
+                                       : exact_conic(&k, r, p);
 }
