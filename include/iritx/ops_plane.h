@@ -135,6 +135,8 @@ void ix_pt_crv_specials_free(ix_ctx *ctx, ix_pt_crv_special *s, int n);
  *              connected part of the bisector follow each other
  * Err   IX_EARG    as above
  *       IX_EDOMAIN a curve is a point
+ *       IX_EUNABLE tol takes more than 1e7 vertices, or than the context's
+ *                  memory limit allows (220 bytes each)
  * Src   Adamou, Fioravanti, Gonzalez-Vega & Moussa: the kinds of pieces; here
  *       any degree */
 ix_status ix_bisect_crv_crv(ix_ctx *ctx, int n1, const ix_mv *const *c1, int n2,

@@ -286,12 +286,15 @@ static void add_branch(maker *k, int index)
 static void only_node(maker *k)
 {
     for (int i = 0; i < k->w->nloops; i++)
-        for (int j = 0; j < k->w->counts[i]; j++)
-            if (k->w->samples[i][j].valid) {
-                (void)node_at(k, &k->w->samples[i][j]);
-                k->out->node[0].degree = 0;
-                return;
-            }
+        for (int j = 0; j < k->w->loop[i].n; j++) {
+            const ix__sample *a = ix__sample_at(&k->w->loop[i], j);
+
+            if (!a->valid)
+                continue;
+            (void)node_at(k, a);
+            k->out->node[0].degree = 0;
+            return;
+        }
 }
 
 static ix_status make(region *g, const ix__walked *w, ix_medial_axis *out)

@@ -126,7 +126,11 @@ typedef struct {
  * the circle that came in is such. */
 void ix__set_touch(const ix__set *s, const double c[2], const double n[2],
                    double depth, ix__touch *io);
-/* The same, but any larger kappa will do. True if there was one. */
+/* The same, sooner if it touches near foot (NULL: not known). */
+void ix__set_touch_near(const ix__set *s, const double c[2], const double n[2],
+                        double depth, const ix__touch *foot, ix__touch *io);
+/* The same, but any larger kappa will do; io->span and u, unless that is -1, is
+ * a place where the circle that came in touches. True if there was one. */
 bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
                     double depth, ix__touch *io);
 /* Distance of x from the set; the place in *at unless that is NULL. */

@@ -9,6 +9,11 @@
 
 /* Pieces that were found lead to others; so often at most. */
 enum { ROUNDS = 8 };
+/* Where to look is found with this tolerance, if a smaller one is wanted. */
+#define COARSE 1e-4
+/* What a vertex takes: its sample, itself, its distance and feet. */
+#define BYTES_EACH    220.0
+#define MOST_VERTICES 1e7
 
 /* --- seeds -----------------------------------------------------------------
  */
@@ -112,10 +117,10 @@ static bool has_length(const ix__walked *o, const ix__run *r)
 
 /* A run without length at infinity is the end of that before or behind it.
  * *gap: whether the run before r was such a one. */
-static void add_run(ix__walked *o, ix__run r, bool *gap)
+static ix_status add_run(ix_ctx *ctx, ix__walked *o, ix__run r, bool *gap)
 {
     ix__run *before = o->nruns ? &o->run[o->nruns - 1] : NULL;
-    int n = o->counts[r.loop];
+    int n = o->loop[r.loop].n;
 
     r.far[0] = r.far[0] || *gap;
     *gap = false;
@@ -124,57 +129,67 @@ static void add_run(ix__walked *o, ix__run r, bool *gap)
         if (r.far[1] && before && before->loop == r.loop &&
             (before->first + before->count) % n == r.first)
             before->far[1] = true;
-        return;
+        return IX_OK;
     }
     if (before && before->loop == r.loop)
         r.joined = !before->far[1] && !r.far[0] &&
                    meets(ix__run_at(o, before, before->count - 1),
                          ix__run_at(o, &r, 0));
+    IX_GROW(ctx, o->run, o->nruns, o->room);
     o->run[o->nruns++] = r;
+    return IX_OK;
+}
+
+/* Sample i, counted around. */
+static const ix__sample *around(const ix__samples *s, int i)
+{
+    return ix__sample_at(s, i % s->n);
 }
 
 /* Where to begin: behind a place at infinity, else behind any break. */
-static int beginning(const ix__walk *w, int n, const ix__sample *s)
+static int beginning(const ix__walk *w, const ix__samples *s)
 {
-    int at = 0;
+    int at = 0, n = s->n;
 
     for (int i = 0; i < n; i++)
-        if (s[i].far && s[(i + 1) % n].valid)
+        if (around(s, i)->far && around(s, i + 1)->valid)
             return (i + 1) % n;
     for (int i = 0; i < n; i++)
-        if (!s[i].valid && s[(i + 1) % n].valid)
+        if (!around(s, i)->valid && around(s, i + 1)->valid)
             return (i + 1) % n;
     for (int i = 0; i < n; i++)
-        if (!joins(w, &s[i], &s[(i + 1) % n]))
+        if (!joins(w, around(s, i), around(s, i + 1)))
             at = (i + 1) % n;
     return at;
 }
 
-static void runs_of_loop(const ix__walk *w, int loop, ix__walked *o)
+static ix_status runs_of_loop(ix_ctx *ctx, const ix__walk *w, int loop,
+                              ix__walked *o)
 {
-    int n = o->counts[loop], i = 0, begin;
-    const ix__sample *s = o->samples[loop];
+    const ix__samples *s = &o->loop[loop];
+    int n = s->n, i = 0, begin;
     bool gap = false;
 
     if (n == 0)
-        return;
-    begin = beginning(w, n, s);
+        return IX_OK;
+    begin = beginning(w, s);
     while (i < n) {
         ix__run r = {.first = (begin + i) % n, .count = 1, .loop = loop};
 
-        if (!s[r.first].valid) {
+        if (!around(s, r.first)->valid) {
             gap = false;
             i++;
             continue;
         }
-        while (i + r.count < n && joins(w, &s[(begin + i + r.count - 1) % n],
-                                        &s[(begin + i + r.count) % n]))
+        while (i + r.count < n && joins(w, around(s, r.first + r.count - 1),
+                                        around(s, r.first + r.count)))
             r.count++;
-        r.far[0] = s[(r.first + n - 1) % n].far;
-        r.far[1] = s[(r.first + r.count) % n].far;
-        add_run(o, r, &gap);
+        r.far[0] = around(s, r.first + n - 1)->far;
+        r.far[1] = around(s, r.first + r.count)->far;
+        IX_TRY(add_run(ctx, o, r, &gap));
         i += r.count;
     }
+    return IX_OK;
 }
 
 /* Is m, between two samples of a run, what they lead to expect? */
@@ -199,22 +214,24 @@ static bool explored(const ix__walk *w, const ix__walked *o, ix__place p)
     ix__walk_sample(w, p.border, p.at, &s);
     for (int i = 0; i < o->nloops; i++) {
         const ix__loop *l = &w->own->loop[i];
-        const ix__sample *at = o->samples[i];
-        int lo = 0, hi = o->counts[i] - 1;
+        const ix__samples *at = &o->loop[i];
+        int lo = 0, hi = at->n - 1;
 
         if (p.border < l->first || p.border >= l->first + l->count || hi < 1)
             continue;
         while (hi - lo > 1) {
             int m = (lo + hi) / 2;
-            ix__place q = {at[m].border, at[m].at};
+            const ix__sample *a = ix__sample_at(at, m);
+            ix__place q = {a->border, a->at};
 
             if (by_place(&q, &p) <= 0)
                 lo = m;
             else
                 hi = m;
         }
-        if (joins(w, &at[lo], &at[hi]))
-            return as_expected(w, &at[lo], &s, &at[hi]);
+        if (joins(w, ix__sample_at(at, lo), ix__sample_at(at, hi)))
+            return as_expected(w, ix__sample_at(at, lo), &s,
+                               ix__sample_at(at, hi));
     }
     return !s.valid;
 }
@@ -242,11 +259,10 @@ static ix_status unexplored(const ix__walk *w, const ix__walked *o, ix__place p,
 static ix_status seeds_from_blocks(const ix__walk *w, const ix__walked *o,
                                    int loop, places *l, int *added)
 {
-    const ix__sample *s = o->samples[loop];
-    int n = o->counts[loop];
+    const ix__samples *s = &o->loop[loop];
 
-    for (int i = 0; i < n; i++) {
-        const ix__sample *a = &s[i], *b = &s[(i + 1) % n], *bad, *good;
+    for (int i = 0; i < s->n; i++) {
+        const ix__sample *a = around(s, i), *b = around(s, i + 1), *bad, *good;
         ix__place p;
 
         if (a->valid == b->valid)
@@ -262,19 +278,66 @@ static ix_status seeds_from_blocks(const ix__walk *w, const ix__walked *o,
 static ix_status walk_loops(ix_ctx *ctx, const ix__walk *w, places *seeds,
                             ix__walked *out)
 {
-    size_t total = 0;
-
     if (seeds->n)
         qsort(seeds->p, (size_t)seeds->n, sizeof *seeds->p, by_place);
-    for (int i = 0; i < out->nloops; i++) {
-        IX_TRY(ix__walk_loop(ctx, w, i, seeds->n, seeds->p, &out->counts[i],
-                             &out->samples[i]));
-        total += (size_t)out->counts[i];
-    }
-    IX_SCRATCH(ctx, out->run, total + 1);
+    for (int i = 0; i < out->nloops; i++)
+        IX_TRY(ix__walk_loop(ctx, w, i, seeds->n, seeds->p, &out->loop[i]));
     out->nruns = 0;
     for (int i = 0; i < out->nloops; i++)
-        runs_of_loop(w, i, out);
+        IX_TRY(runs_of_loop(ctx, w, i, out));
+    return IX_OK;
+}
+
+/* Walks all loops until what was found leads to nothing else. */
+static ix_status explore(ix_ctx *ctx, const ix__walk *w, places *seeds,
+                         ix__walked *out)
+{
+    IX_TRY(walk_loops(ctx, w, seeds, out));
+    for (int i = 0; w->own != w->other && i < ROUNDS; i++) {
+        int added = 0;
+
+        for (int j = 0; j < out->nloops; j++)
+            IX_TRY(seeds_from_blocks(w, out, j, seeds, &added));
+        if (added == 0)
+            break;
+        IX_TRY(walk_loops(ctx, w, seeds, out));
+    }
+    return IX_OK;
+}
+
+/* How many vertices runs need that were found with a larger tolerance: the
+ * error of a chord falls with the square of its length, and halving gives
+ * chords that are up to half as long as need be. */
+static double vertices_needed(const ix__walk *w, const ix__walked *coarse)
+{
+    const double halving = 1.7;
+    double n = 0.0;
+
+    for (int i = 0; i < coarse->nruns; i++)
+        for (int j = 0; j + 1 < coarse->run[i].count; j++) {
+            const ix__sample *a = ix__run_at(coarse, &coarse->run[i], j);
+            const ix__sample *b = ix__run_at(coarse, &coarse->run[i], j + 1);
+
+            n += fmax(1.0, halving * sqrt(ix__walk_share(w, a, b)));
+        }
+    return n;
+}
+
+/* Are they too many, for the context's memory too? */
+static ix_status check_amount(ix_ctx *ctx, const ix__walk *w,
+                              const ix__walked *coarse)
+{
+    double n = vertices_needed(w, coarse), most = MOST_VERTICES;
+
+    if (ctx->limit)
+        most = fmin(most, (double)(ctx->limit - ctx->live) / BYTES_EACH);
+    if (!(n <= most))
+        return IX_FAIL(ctx, IX_EUNABLE,
+                       "a tolerance of %g takes %.2f million vertices, %.2f "
+                       "are possible: %.1g would do, and BISECTEVAL gives "
+                       "exact points between those of any tolerance",
+                       w->tol, 1e-6 * n, 1e-6 * most,
+                       w->tol * pow(1.1 * n / most, 2.0));
     return IX_OK;
 }
 
@@ -282,23 +345,18 @@ ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
                        const ix__place *first, ix__walked *out)
 {
     places seeds = {.ctx = ctx};
+    ix__walk coarse = *w;
 
     *out = (ix__walked){.nloops = w->own->nloops};
-    IX_SCRATCH(ctx, out->samples, out->nloops);
-    IX_SCRATCH(ctx, out->counts, out->nloops);
+    IX_SCRATCH(ctx, out->loop, out->nloops);
     for (int i = 0; i < nseeds; i++)
         IX_TRY(add_place(&seeds, first[i]));
     if (w->own != w->other)
         IX_TRY(seeds_from_other(ctx, w, &seeds));
-    IX_TRY(walk_loops(ctx, w, &seeds, out));
-    for (int i = 0; w->own != w->other && i < ROUNDS; i++) {
-        int added = 0;
-
-        for (int j = 0; j < out->nloops; j++)
-            IX_TRY(seeds_from_blocks(w, out, j, &seeds, &added));
-        if (added == 0)
-            break;
-        IX_TRY(walk_loops(ctx, w, &seeds, out));
+    if (w->tol < COARSE) { /* where to look is found with fewer vertices */
+        coarse.tol = COARSE;
+        IX_TRY(explore(ctx, &coarse, &seeds, out));
+        IX_TRY(check_amount(ctx, w, out));
     }
-    return IX_OK;
+    return explore(ctx, w, &seeds, out);
 }

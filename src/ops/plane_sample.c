@@ -230,7 +230,10 @@ static bool one_foot(const ix__walk *w, const ix__border *e,
 
 static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
 {
-    ix__touch block = {.kappa = o->foot.kappa, .span = -1};
+    bool side = e->kind == IX__SIDE;
+    ix__touch block = {.kappa = o->foot.kappa,
+                       .span = side ? e->index : -1,
+                       .u = e->side > 0 ? o->at : 1.0 - o->at};
 
     o->r = 1.0 / o->foot.kappa;
     if (!(o->r > COMMON) || w->other->span[o->foot.span].phantom)
@@ -251,7 +254,8 @@ static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
     motion(w, e, o);
 }
 
-void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
+void ix__walk_sample_near(const ix__walk *w, int border, double at,
+                          const ix__touch *foot, ix__sample *out)
 {
     const ix__border *e = &w->own->border[border];
     ix__sample o = {.border = border, .at = at, .vertex = -1};
@@ -268,7 +272,7 @@ void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
         if (!isfinite(o.foot.kappa))
             return;
     }
-    ix__set_touch(w->other, o.c, o.n, IX__DEPTH, &o.foot);
+    ix__set_touch_near(w->other, o.c, o.n, IX__DEPTH, foot, &o.foot);
     if (o.foot.span < 0 && w->own == w->other && o.foot.kappa > 0.0) {
         o.own_circle = true;
         o.foot.span = e->index;
@@ -279,6 +283,11 @@ void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
     else
         judge(w, e, &o);
     *out = o;
+}
+
+void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out)
+{
+    ix__walk_sample_near(w, border, at, NULL, out);
 }
 
 /* --- neighbours -------------------------------------------------------------

@@ -35,6 +35,8 @@ typedef struct {
     double k;
     int found; /* span of the best value, -1: none */
     double u;
+    int known; /* span of a place where g is about 0 and stationary, -1: none */
+    double known_u;
     const double *bin, *bin2;  /* binomials of d and 2 d */
     double *a, *b, *g, *t, *q; /* [2 d + 1]; q is [4][d + 1] */
     double *room;              /* [3][d + 1] for each depth */
@@ -51,21 +53,21 @@ static bool done(const search *s)
 /* sum c_i B_i at v. */
 static double value(int n, const double *c, double v)
 {
-    double w = 1.0 - v, p = 1.0, bin = 1.0, s = c[0];
+    double room[2 * IX_MAX_ORDER], w = 1.0 - v, p = 1.0, s;
+    const double *bin = ix__binom(n, room);
 
     if (v > 0.5) { /* from the other end */
         s = c[n];
         for (int i = 1; i <= n; i++) {
             p *= w;
-            bin = bin * (n - i + 1) / i;
-            s = s * v + bin * p * c[n - i];
+            s = s * v + bin[i] * p * c[n - i];
         }
         return s;
     }
+    s = c[0];
     for (int i = 1; i <= n; i++) {
         p *= v;
-        bin = bin * (n - i + 1) / i;
-        s = s * w + bin * p * c[i];
+        s = s * w + bin[i] * p * c[i];
     }
     return s;
 }
@@ -205,6 +207,21 @@ static double least(const search *s)
     return v;
 }
 
+/* Is the convex g nowhere deep, its tangent at the known place, if that is
+ * here, being above that? */
+static bool shallow(const search *s, double u0, double u1)
+{
+    int n = 2 * s->d;
+    double v = (s->known_u - u0) / (u1 - u0);
+
+    if (s->known != s->span || !(v > 0.0 && v < 1.0))
+        return false;
+    for (int i = 0; i < n; i++)
+        s->t[i] = n * (s->g[i + 1] - s->g[i]);
+    return value(n, s->g, v) - fabs(value(n - 1, s->t, v)) * fmax(v, 1.0 - v) >=
+           -s->limit;
+}
+
 /* The best value on a part where g is convex; false if g is not, or the part
  * turns out to be too large. */
 static bool solve_convex(search *s, const double *p, double u0, double u1)
@@ -218,6 +235,8 @@ static bool solve_convex(search *s, const double *p, double u0, double u1)
             return true;
         if (!convex(s))
             return false;
+        if (i == 0 && shallow(s, u0, u1))
+            return true;
         v = least(s);
         if (!(v > 0.0) || (i == 0 && !(value(n, s->g, v) < -s->limit)))
             return true; /* at an end, or not deep enough to be more than
@@ -307,7 +326,7 @@ static void run(search *s, const ix__set *set, int index)
 
 static search prepare(const double c[2], double k, double tol)
 {
-    search s = {.tol = tol, .k = k, .found = -1};
+    search s = {.tol = tol, .k = k, .found = -1, .known = -1};
 
     memcpy(s.c, c, sizeof s.c);
     return s;
@@ -408,34 +427,68 @@ static void sharpen(const ix__set *set, search *s)
     }
 }
 
-static bool touch(const ix__set *set, const double c[2], const double n[2],
-                  double depth, bool any, ix__touch *io)
+/* Begins with a point of the set that is near foot, if it is as deep in the
+ * circle that came in as others have to be: circles that hold it need not be
+ * searched. */
+static void begin_near(const ix__set *set, const ix__touch *foot, search *s)
 {
-    search s = prepare(c, io->kappa, 2.0 * depth);
+    double u = foot->u, k, vv, step;
 
-    memcpy(s.n, n, sizeof s.n);
-    s.any = any;
-    for (int i = 0; i < set->nspans && !done(&s); i++)
-        if (in_reach(&set->span[i], c, n, s.k))
-            run(&s, set, i);
-    if (s.found < 0)
+    for (int i = 0; i < 3; i++) {
+        bool maximum = stationary(set, s, foot->span, u, &k, &vv, &step);
+
+        if ((k - s->k) * vv > (s->found < 0 ? s->tol : 0.0)) {
+            s->k = k;
+            s->found = s->known = foot->span;
+            s->u = s->known_u = u;
+        }
+        if (!maximum || !(u + step > 0.0 && u + step < 1.0))
+            return;
+        u += step;
+    }
+}
+
+static bool touch(const ix__set *set, const ix__touch *foot, search *s,
+                  ix__touch *io)
+{
+    if (foot)
+        begin_near(set, foot, s);
+    for (int i = 0; i < set->nspans && !done(s); i++)
+        if (in_reach(&set->span[i], s->c, s->n, s->k))
+            run(s, set, i);
+    if (s->found < 0)
         return false;
-    if (!any && isfinite(s.k))
-        sharpen(set, &s);
-    *io = (ix__touch){s.k, s.found, s.u};
+    if (!s->any && isfinite(s->k))
+        sharpen(set, s);
+    *io = (ix__touch){s->k, s->found, s->u};
     return true;
+}
+
+void ix__set_touch_near(const ix__set *s, const double c[2], const double n[2],
+                        double depth, const ix__touch *foot, ix__touch *io)
+{
+    search q = prepare(c, io->kappa, 2.0 * depth);
+
+    memcpy(q.n, n, sizeof q.n);
+    (void)touch(s, foot, &q, io);
 }
 
 void ix__set_touch(const ix__set *s, const double c[2], const double n[2],
                    double depth, ix__touch *io)
 {
-    (void)touch(s, c, n, depth, false, io);
+    ix__set_touch_near(s, c, n, depth, NULL, io);
 }
 
 bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
                     double depth, ix__touch *io)
 {
-    return touch(s, c, n, depth, true, io);
+    search q = prepare(c, io->kappa, 2.0 * depth);
+
+    memcpy(q.n, n, sizeof q.n);
+    q.any = true;
+    q.known = io->span;
+    q.known_u = io->u;
+    return touch(s, NULL, &q, io);
 }
 
 /* --- distance --------------------------------------------------------------

@@ -18,6 +18,8 @@ enum { MOST_EVENTS = 4 };
 /* Feet nearer than this part of the radius count as so far apart when steps are
  * chosen: along nearly parallel curves they would be too many. */
 #define NARROW 0.05
+/* Feet that are nearer to an end, in spans, are not told to the search. */
+#define NEAR_END 1e-3
 /* No step is longer than this part of the size, or of the radius. */
 #define LONGEST 0.25
 
@@ -27,30 +29,33 @@ enum { MOST_EVENTS = 4 };
 typedef struct {
     ix_ctx *ctx;
     const ix__walk *w;
-    int n, room;
-    ix__sample *s;
+    ix__samples s;
 } sink;
 
 static ix_status emit(sink *k, const ix__sample *s)
 {
-    if (k->n == k->room)
+    if (k->s.n % IX__BLOCK == 0) {
+        int used = k->s.n / IX__BLOCK;
+
         IX_TRY(ix__poll(k->ctx));
-    IX_GROW(k->ctx, k->s, k->n, k->room);
-    k->s[k->n++] = *s;
+        IX_GROW(k->ctx, k->s.block, used, k->s.room);
+        IX_SCRATCH(k->ctx, k->s.block[used], IX__BLOCK);
+    }
+    *ix__sample_at(&k->s, k->s.n++) = *s;
     return IX_OK;
 }
 
-/* Is the bisector within tol of the chord from a to b? It is a cubic there, as
+/* How far the bisector is from the chord from a to b. It is a cubic there, as
  * good as: with the sines p, q of the angles between the chord of length l and
  * both tangents it is l (p s (1-s)^2 + q s^2 (1-s)) away from it, s from 0 to
  * 1, and either product is 4/27 at most. */
-static bool chord(const ix__sample *a, const ix__sample *b, double tol)
+static double sagitta(const ix__sample *a, const ix__sample *b)
 {
     double d[2] = {b->b[0] - a->b[0], b->b[1] - a->b[1]};
     double p = fabs(d[0] * a->along[1] - d[1] * a->along[0]);
     double q = fabs(d[0] * b->along[1] - d[1] * b->along[0]);
 
-    return 4.0 / 27.0 * (p + q) <= tol;
+    return 4.0 / 27.0 * (p + q);
 }
 
 static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
@@ -65,7 +70,7 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
         return false;
     if (len <= room)
         return hypot(e[0], e[1]) <= room;
-    if (!a->own_circle && !(chord(a, m, room) && chord(m, b, room)))
+    if (!a->own_circle && !(sagitta(a, m) <= room && sagitta(m, b) <= room))
         return false;
     return fabs(d[0] * e[1] - d[1] * e[0]) <= room * len &&
            part >= 0.04 * len * len && part <= 0.96 * len * len;
@@ -119,12 +124,12 @@ static double feet_apart(const ix__sample *a)
     return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]);
 }
 
-/* Is the chord from a to b as good as the tolerance, whatever is hidden between
- * them? Both distances from a point of it lie between sqrt(q) and sqrt(q +
- * excess). The difference grows with |x - c| / r across the bisector, x and c
- * the feet. */
-static bool nothing_between(const ix__walk *w, const ix__sample *a,
-                            const ix__sample *b)
+/* What part of the tolerance the chord from a to b is off at most, whatever is
+ * hidden between them. Both distances from a point of it lie between sqrt(q)
+ * and sqrt(q + excess). The difference grows with |x - c| / r across the
+ * bisector, x and c the feet. */
+static double hidden_share(const ix__walk *w, const ix__sample *a,
+                           const ix__sample *b)
 {
     const ix__sample *small = a->r < b->r ? a : b;
     double most = fmax(excess(a, b, a->c, b->c), excess(a, b, a->x, b->x));
@@ -133,8 +138,15 @@ static bool nothing_between(const ix__walk *w, const ix__sample *a,
     double half = 0.5 * hypot(b->b[0] - a->b[0], b->b[1] - a->b[1]);
     double q = fmax(small->r * small->r - half * half, 0.0);
 
-    return fmax(a->r, b->r) <= room ||
-           most * small->r <= apart * room * (sqrt(q + most) + sqrt(q));
+    if (fmax(a->r, b->r) <= room || most == 0.0)
+        return 0.0;
+    return most / (sqrt(q + most) + sqrt(q)) * small->r / (apart * room);
+}
+
+double ix__walk_share(const ix__walk *w, const ix__sample *a,
+                      const ix__sample *b)
+{
+    return fmax(hidden_share(w, a, b), sagitta(a, b) / ix__walk_room(w, a));
 }
 
 /* Nothing happens between a and b, of which m is the middle. */
@@ -152,7 +164,7 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
         return false;
     if (a->own_circle)
         return true;
-    if (!nothing_between(w, a, m) || !nothing_between(w, m, b))
+    if (!(hidden_share(w, a, m) <= 1.0 && hidden_share(w, m, b) <= 1.0))
         return false;
     room = ix__walk_room(w, m);
     far = hypot(m->b[0], m->b[1]) > IX__FAR;
@@ -204,7 +216,9 @@ static bool jumps(const ix__walk *w, const ix__sample *a, const ix__sample *b)
  * where more than one thing happens, in several. */
 static ix_status emit_after(sink *k, const ix__sample *b)
 {
-    k->s[k->n - 1].cut = jumps(k->w, &k->s[k->n - 1], b);
+    ix__sample *a = ix__sample_at(&k->s, k->s.n - 1);
+
+    a->cut = jumps(k->w, a, b);
     return emit(k, b);
 }
 
@@ -255,15 +269,31 @@ static ix_status locate(sink *k, const ix__sample *a, const ix__sample *b)
     return emit_after(k, b);
 }
 
+/* Where the other foot is likely to be between a and b: NULL if it changes.
+ * Near ends of spans what is known would tip the scales between curve and
+ * vertex, which cannot be told from each other there. */
+static const ix__touch *foot_between(const ix__walk *w, const ix__sample *a,
+                                     const ix__sample *b, ix__touch *out)
+{
+    if (!a->valid || !b->valid || a->foot.span != b->foot.span ||
+        !ix__same_feet(w, a, b) || a->own_circle)
+        return NULL;
+    *out = a->foot;
+    out->u = 0.5 * (a->foot.u + b->foot.u);
+    return out->u > NEAR_END && out->u < 1.0 - NEAR_END ? out : NULL;
+}
+
 /* Samples between a and b, b included; a is the last one emitted. */
 static ix_status refine(sink *k, const ix__sample *a, const ix__sample *b)
 {
     double at = 0.5 * (a->at + b->at);
+    ix__touch near;
     ix__sample m;
 
     if (!a->valid && !b->valid)
         return emit(k, b);
-    ix__walk_sample(k->w, a->border, at, &m);
+    ix__walk_sample_near(k->w, a->border, at, foot_between(k->w, a, b, &near),
+                         &m);
     if (a->valid && b->valid && smooth(k->w, a, &m, b)) {
         IX_TRY(emit(k, &m));
         return emit(k, b);
@@ -419,7 +449,7 @@ static ix_status walk_element(sink *k, int border, int nseeds,
 }
 
 ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
-                        const ix__place *seeds, int *n, ix__sample **out)
+                        const ix__place *seeds, ix__samples *out)
 {
     const ix__loop *l = &w->own->loop[loop];
     sink k = {.ctx = ctx, .w = w};
@@ -434,7 +464,6 @@ ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
             ;
         IX_TRY(walk_element(&k, i, end - first, seeds + first));
     }
-    *n = k.n;
     *out = k.s;
     return IX_OK;
 }

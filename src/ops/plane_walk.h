@@ -50,17 +50,31 @@ static inline double ix__walk_room(const ix__walk *w, const ix__sample *a)
 }
 /* The sample there. */
 void ix__walk_sample(const ix__walk *w, int border, double at, ix__sample *out);
+/* The same, sooner if the other foot is near the one that is told; NULL: not
+ * known. */
+void ix__walk_sample_near(const ix__walk *w, int border, double at,
+                          const ix__touch *foot, ix__sample *out);
 /* The place of the own border from which the circle around b through the foot
  * is seen; false if it belongs to no element. */
 bool ix__border_place(const ix__set *s, const ix__touch *foot,
                       const double b[2], ix__place *out);
 
+/* Samples in blocks: growing moves none. Scratch. */
+enum { IX__BLOCK = 128 };
+typedef struct {
+    int n, room; /* samples; blocks there is room for */
+    ix__sample **block;
+} ix__samples;
+static inline ix__sample *ix__sample_at(const ix__samples *s, int i)
+{
+    return &s->block[i / IX__BLOCK][i % IX__BLOCK];
+}
+
 /* Samples along loop, close enough for w->tol where they are valid, each place
  * where something changes enclosed by two samples that are neighbours in
  * double. seeds (n of them, by increasing place) are sampled too. Scratch. */
 ix_status ix__walk_loop(ix_ctx *ctx, const ix__walk *w, int loop, int nseeds,
-                        const ix__place *seeds, int *n,
-                        ix__sample **out) IX_MUST_CHECK;
+                        const ix__place *seeds, ix__samples *out) IX_MUST_CHECK;
 
 /* Samples first .. first + count - 1 (modulo n) with feet on the same elements.
  */
@@ -72,12 +86,11 @@ typedef struct {
 } ix__run;
 
 /* All runs of all loops: those of a loop in order, beginning behind a place at
- * infinity if there is one. samples[loop] and counts[loop] in scratch. */
+ * infinity if there is one. loop[nloops] in scratch. */
 typedef struct {
-    int nruns, nloops;
+    int nruns, room, nloops;
     ix__run *run;
-    ix__sample **samples;
-    int *counts;
+    ix__samples *loop;
 } ix__walked;
 /* first: nseeds places that are looked at in any case. */
 ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
@@ -85,7 +98,9 @@ ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
 static inline const ix__sample *ix__run_at(const ix__walked *w,
                                            const ix__run *r, int i)
 {
-    return &w->samples[r->loop][(r->first + i) % w->counts[r->loop]];
+    const ix__samples *s = &w->loop[r->loop];
+
+    return ix__sample_at(s, (r->first + i) % s->n);
 }
 
 #endif

@@ -20,6 +20,9 @@ double ix__foot_way(const ix__set *s, const ix__touch *a, const ix__touch *b);
  * jumps, and pieces between two objects are divided. */
 bool ix__passes_seam(const ix__walk *w, const ix__sample *a,
                      const ix__sample *b);
+/* How many times the tolerance the chord from a to b may be off. */
+double ix__walk_share(const ix__walk *w, const ix__sample *a,
+                      const ix__sample *b);
 /* Are the feet on the same elements? */
 bool ix__same_feet(const ix__walk *w, const ix__sample *a, const ix__sample *b);
 /* With one set for both: do the feet change places between a and b? There the

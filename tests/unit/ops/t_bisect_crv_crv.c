@@ -419,6 +419,30 @@ static void errors(void **state)
     ix_ctx_free(ctx);
 }
 
+/* More vertices than there is room for are refused before they are made. */
+static void too_many(void **state)
+{
+    static const double arch[6] = {-1, 0, 1, 1, -1, 1};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *a = make_crv(ctx, 3, 3, NULL, false, 2, arch);
+    ix_mv *b = segment(ctx, -1, -1, 1, -1.5);
+    const ix_mv *const la[1] = {a}, *const lb[1] = {b};
+    ix_bisector s;
+
+    (void)state;
+    assert_int_equal(ix_bisect_crv_crv(ctx, 1, la, 1, lb, 1e-17, &s),
+                     IX_EUNABLE);
+    assert_non_null(strstr(ix_ctx_message(ctx), "million vertices"));
+    ix_ctx_set_memory_limit(ctx, (size_t)10 << 20);
+    ASSERT_OK(ctx, ix_bisect_crv_crv(ctx, 1, la, 1, lb, 1e-7, &s));
+    ix_bisector_free(ctx, &s);
+    assert_int_equal(ix_bisect_crv_crv(ctx, 1, la, 1, lb, 1e-10, &s),
+                     IX_EUNABLE);
+    ix_mv_unref(ctx, a);
+    ix_mv_unref(ctx, b);
+    ix_ctx_free(ctx);
+}
+
 typedef struct {
     ix_mv *a, *b;
     ix_bisector s;
@@ -467,7 +491,7 @@ int main(void)
         cmocka_unit_test(crossing),      cmocka_unit_test(common_end),
         cmocka_unit_test(same_curve),    cmocka_unit_test(objects),
         cmocka_unit_test(exact_points),  cmocka_unit_test(errors),
-        cmocka_unit_test(no_memory),
+        cmocka_unit_test(no_memory),     cmocka_unit_test(too_many),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -53,6 +53,57 @@ static void found(void **state)
     }
 }
 
+/* Law: chords are as good as any tolerance that is asked for; a hundredth of it
+ * takes ten times as many vertices. */
+static long at_tolerance(ix_ctx *ctx, problem *p, const ix_mv *const *a,
+                         const ix_mv *const *b)
+{
+    ix_bisector s;
+    long n = 0;
+
+    ASSERT_OK(ctx, ix_bisect_crv_crv(ctx, 1, a, 1, b, p->tol, &s));
+    for (int i = 0; i < s.n; i++) {
+        const ix_bisector_piece *g = &s.piece[i];
+        int step = 1 + g->n / 12;
+
+        n += g->kind == IX_CURVE_CURVE ? g->n : 0;
+        for (int j = 0; j + 1 < g->n; j += step)
+            check_chord(p, g->x + 2 * j, fmod(0.5 + 0.618 * j, 1));
+    }
+    ix_bisector_free(ctx, &s);
+    return n;
+}
+
+static void tolerances(void **state)
+{
+    static const double tol[] = {1e-4, 1e-6, 1e-8};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    problem p = {.ctx = ctx, .kind = "tolerance", .pair = 2};
+    long n, before = 0;
+    ix_mv *c[2];
+
+    (void)state;
+    pair_make(ctx, 1, 2, 2, c);
+    for (int k = 0; k < 2; k++) {
+        const ix_mv *const one[1] = {c[k]};
+
+        p.set[k] = truth_of(ctx, 1, one);
+    }
+    measure(&p);
+    for (int i = 0; i < 3; i++, before = n) {
+        const ix_mv *const a[1] = {c[0]}, *const b[1] = {c[1]};
+
+        p.tol = tol[i];
+        n = at_tolerance(ctx, &p, a, b);
+        assert_true(n > 0 && (i == 0 || n < 15 * before));
+    }
+    for (int k = 0; k < 2; k++) {
+        free(p.set[k].arc);
+        ix_mv_unref(ctx, c[k]);
+    }
+    ix_ctx_free(ctx);
+}
+
 static void pairs(void **state)
 {
     const char *one = getenv("IX_TEST_KIND");
@@ -75,6 +126,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs),
         cmocka_unit_test(found),
+        cmocka_unit_test(tolerances),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
