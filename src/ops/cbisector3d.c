@@ -94,14 +94,32 @@ typedef struct {
     int max_cont;
 } task;
 
+/* m x, or its inverse if back, for n vectors: x[3][n]. */
+static void turn(double m[3][3], bool back, size_t n, double *x)
+{
+    for (size_t i = 0; i < n; i++, x++) {
+        double y[3] = {x[0], x[n], x[2 * n]};
+
+        for (int k = 0; k < 3; k++) {
+            double sum = 0.0;
+
+            for (int j = 0; j < 3; j++)
+                sum += (back ? m[j][k] : m[k][j]) * y[j];
+            x[(size_t)k * n] = sum;
+        }
+    }
+}
+
 /* Positive sum of weights, largest weight in [1/2, 1), the user's frame. */
-static void finish(const ix_frame *frame, size_t n, double *pts)
+static void finish(ix_crv_pair *p, size_t n, double *pts)
 {
     double f = ix__bern_weight_factor(n, pts);
 
     for (size_t i = 0; i < n; i++)
         pts[i] *= f;
-    ix__frame_back(frame, f, n, pts, pts + n);
+    if (p->turned)
+        turn(p->turn, true, n, pts + n);
+    ix__frame_back(&p->frame, f, n, pts, pts + n);
 }
 
 /* The degree that a form of the result asks for, given the minimal one. */
@@ -148,13 +166,10 @@ static ix_status sector_rows(ix_ctx *ctx, const ix_form *f, bool rational,
  * factor w); the naive one leaves a factor w^2 that determinants of fractions
  * over their own denominators do not lose. */
 static ix_status load_factors(ix_ctx *ctx, const ix_form *f, bool rational,
-                              const task *k, ix_form *out)
+                              const task *k, int factors, ix_form *out)
 {
     bool formal = rational &&
                   (k->form == IX_FORM_PUBLISHED || k->form == IX_FORM_IRIT);
-    int factors = k->form == IX_FORM_NAIVE  ? 2
-                  : k->form == IX_FORM_IRIT ? 1
-                                            : 0;
     ix_form minors, more, w = ix__form_rows(f, 0, 1);
     const ix_form *parts[2] = {&minors, &more};
 
@@ -200,6 +215,7 @@ static ix_status place_factors(ix_ctx *ctx, const ix_mv *c, const task *k,
                                ix_crv_pair *p, int i)
 {
     ix_frame own, near = p->frame;
+    int factors = k->form == IX_FORM_NAIVE ? 2 : k->form == IX_FORM_IRIT;
     double a[3];
 
     IX_TRY(ix__frame_of(ctx, 1, &c, &own));
@@ -208,7 +224,13 @@ static ix_status place_factors(ix_ctx *ctx, const ix_mv *c, const task *k,
         a[j] = ldexp(own.shift[j] - p->frame.shift[j], -p->frame.exp);
     }
     IX_TRY(ix__forms_load(ctx, 1, &c, &near, &p->f[i]));
-    IX_TRY(load_factors(ctx, &p->f[i], c->rational, k, &p->minors[i]));
+    if (p->turned) {
+        turn(p->turn, false, 1, a);
+        turn(p->turn, false, p->f[i].n,
+             p->f[i].c + (c->rational ? p->f[i].n : 0));
+    }
+    p->powers[i] = c->rational ? 4 + factors : 0;
+    IX_TRY(load_factors(ctx, &p->f[i], c->rational, k, factors, &p->minors[i]));
     ix__lift_move(&p->minors[i], a);
     if (k->alpha != 0.5)
         move_sector(&p->minors[i], a);
@@ -222,6 +244,7 @@ static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
 
     p->crv = c;
     IX_TRY(ix__frame_of(ctx, 2, c, &p->frame));
+    ix__crv_pair_turn(p);
     for (int i = 0; i < 2; i++) {
         int degree;
 
@@ -237,15 +260,14 @@ static ix_status load_pair(ix_ctx *ctx, const ix_mv *const *c, const task *k,
 }
 
 /* The points of s, whose directions are those of the sum. */
-static ix_status fill(ix_ctx *ctx, const ix_crv_pair *p, const ix_outer *sum,
+static ix_status fill(ix_ctx *ctx, ix_crv_pair *p, const ix_outer *sum,
                       ix_mv *s)
 {
     ix_outer weight = {sum->u, sum->v, 1, WEIGHT_TERMS, sum->terms};
-    double size[4];
 
-    IX_TRY(ix__outer_points(ctx, sum, s->dirs, s->pts, size));
-    IX_TRY(ix__crv_pair_weight(ctx, p, &weight, s->npts, s->pts, size[0]));
-    finish(&p->frame, s->npts, s->pts);
+    IX_TRY(ix__crv_pair_weight(ctx, p, &weight));
+    IX_TRY(ix__outer_points(ctx, sum, s->dirs, s->pts, NULL));
+    finish(p, s->npts, s->pts);
     return ix__check_finite(ctx, 4 * s->npts, s->pts);
 }
 

@@ -110,14 +110,15 @@ static bool next_point(const ix_mv *const *c, size_t *k, double out[3])
     return false;
 }
 
-/* Farthest distance of the control points from the line through two of them,
- * the first and the one farthest from it; the line holds both curves if that is
- * within rounding. */
-static double off_line(const ix_mv *const *c)
+/* The line through two of the control points, the first and the one farthest
+ * from it: its direction u, their distance; and the farthest distance from it:
+ * the line holds both curves if that is within rounding. */
+static double off_line(const ix_mv *const *c, double u[3], double *length)
 {
-    double p0[3] = {0, 0, 0}, p[3], u[3] = {0, 0, 0}, v[3], worst = 0.0;
+    double p0[3] = {0, 0, 0}, p[3], v[3], worst = 0.0;
     size_t k = 0, first;
 
+    u[0] = u[1] = u[2] = 0.0;
     (void)next_point(c, &k, p0);
     first = k;
     while (next_point(c, &k, p)) {
@@ -125,7 +126,7 @@ static double off_line(const ix_mv *const *c)
         if (ix__len3(v) > ix__len3(u))
             ix__sub3(p, p0, u);
     }
-    (void)ix__unit3(u, u);
+    *length = ix__unit3(u, u);
     for (k = first; next_point(c, &k, p);) {
         double x[3];
 
@@ -136,13 +137,36 @@ static double off_line(const ix_mv *const *c)
     return worst;
 }
 
+/* Both reflections that carry u to the axis e next to it: I - (u + e) (u + e)^T
+ * / (1 + u.e) + 2 e u^T. */
+void ix__crv_pair_turn(ix_crv_pair *p)
+{
+    double u[3], length, off = off_line(p->crv, u, &length), s;
+    int k = 0;
+
+    p->turned = off < 0.0625 * length;
+    p->thin = p->turned ? off / length + p->frame.noise : 1.0;
+    if (!p->turned)
+        return;
+    for (int i = 1; i < 3; i++)
+        k = fabs(u[i]) > fabs(u[k]) ? i : k;
+    s = u[k] < 0.0 ? -1.0 : 1.0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double a = s * u[i], b = s * u[j];
+
+            p->turn[i][j] = (i == j) + (i == k ? 2.0 * b : 0.0) -
+                            (a + (i == k)) * (b + (j == k)) / (1.0 + s * u[k]);
+        }
+}
+
 /* --- spans in one plane --------------------------------------------------- */
 
-/* Of each span of a curve: bound of the tangent, and all rows at a place that
- * is no root of low order. */
+/* Of each span of a curve: bounds of the tangent, and of the powers of the
+ * weight in it, and all rows at a place that is no root of low order. */
 typedef struct {
     const ix_form *m;
-    double *size, *at; /* [nspans], [nspans][nrows] */
+    double *size, *unit, *at; /* [nspans], [nspans], [nspans][nrows] */
 } samples;
 
 #define PLACE 0.4142135623730951
@@ -152,6 +176,26 @@ static double in_span(const ix_form *m, int i, double u)
     const double *b = m->dirs[0].breaks + i;
 
     return b[0] + u * (b[1] - b[0]);
+}
+
+/* The largest weight of each span to the power in the minors. */
+static ix_status weigh_spans(ix_ctx *ctx, const ix_crv_pair *p, int i,
+                             samples *s)
+{
+    int n = p->f[i].dirs[0].nspans;
+    size_t block = (size_t)p->f[i].dirs[0].degree + 1;
+    const double *b;
+
+    IX_SCRATCH(ctx, s->unit, n);
+    for (int j = 0; j < n; j++)
+        s->unit[j] = 1.0;
+    if (p->powers[i] == 0)
+        return IX_OK;
+    IX_TRY(ix__form_bernstein(ctx, &p->f[i], &b));
+    for (int j = 0; j < n; j++)
+        s->unit[j] = pow(ix__bern_largest(block, b + (size_t)j * block),
+                         p->powers[i]);
+    return IX_OK;
 }
 
 static ix_status sample(ix_ctx *ctx, const ix_form *m, samples *s)
@@ -225,40 +269,73 @@ static ix_status refuse_spans(ix_ctx *ctx, const ix_outer *w, int i, int j,
                    a[0], a[1], b[0], b[1], ratio, band);
 }
 
-/* Spans in one plane with a span of the other curve, of pairs that are not in
- * one plane as a whole. The six products of coordinates, at most 1 in the
- * frame, and tangents have an error of band times the tangents each. */
-static ix_status check_spans(ix_ctx *ctx, const ix_crv_pair *p,
-                             const ix_outer *w)
+static ix_status sample_both(ix_ctx *ctx, const ix_crv_pair *p,
+                             const ix_outer *w, samples s[2])
 {
-    const double band = (double)w->nterms * p->band;
-    samples s[2];
-
     for (int k = 0; k < 2; k++) {
         IX_TRY(sample(ctx, k ? w->v : w->u, &s[k]));
+        IX_TRY(weigh_spans(ctx, p, k, &s[k]));
         for (int i = 0; i < s[k].m->dirs[0].nspans; i++)
-            if (!(s[k].size[i] > p->band))
+            if (!(s[k].size[i] > p->band * s[k].unit[i]))
                 return IX_FAIL(ctx, IX_EDOMAIN,
                                "curve %d stands still over %g .. %g: its "
                                "tangent is at most %.3g of the size of both "
                                "curves, error band %.3g",
                                k + 1, s[k].m->dirs[0].breaks[i],
-                               s[k].m->dirs[0].breaks[i + 1], s[k].size[i],
-                               p->band);
+                               s[k].m->dirs[0].breaks[i + 1],
+                               s[k].size[i] / s[k].unit[i], p->band);
     }
+    return IX_OK;
+}
+
+/* Spans in one plane with a span of the other curve. The six products of
+ * coordinates, at most 1 in the frame, and tangents have an error of band times
+ * the tangents each; of thin pairs each has two factors across, of which one is
+ * in error. */
+typedef struct {
+    int i, j; /* the first such pair */
+    double ratio;
+    bool any, all;
+} flat_spans;
+
+static ix_status find_flat(ix_ctx *ctx, const samples s[2], const ix_outer *w,
+                           double band, flat_spans *f)
+{
+    *f = (flat_spans){.all = true};
     for (int i = 0; i < w->u->dirs[0].nspans; i++)
         for (int j = 0; j < w->v->dirs[0].nspans; j++) {
             double size = s[0].size[i] * s[1].size[j],
                    big = fabs(product(w, s[0].at + i * w->u->nrows,
                                       s[1].at + j * w->v->nrows));
 
-            if (big > band * size)
-                continue;
-            IX_TRY(largest_over(ctx, w, i, j, &big));
             if (!(big > band * size))
-                return refuse_spans(ctx, w, i, j, big / size, band);
+                IX_TRY(largest_over(ctx, w, i, j, &big));
+            if (big > band * size) {
+                f->all = false;
+            } else if (!f->any) {
+                *f = (flat_spans){i, j, big / size, true, f->all};
+            }
+            if (f->any && !f->all)
+                return IX_OK;
         }
     return IX_OK;
+}
+
+static ix_status refuse_all(ix_ctx *ctx, const ix_crv_pair *p, double ratio)
+{
+    double u[3], length, off = off_line(p->crv, u, &length);
+
+    if (off <= ldexp(p->band, p->frame.exp))
+        return IX_FAIL(ctx, IX_EDOMAIN,
+                       "the curves lie on one straight line, within %.3g: "
+                       "their bisector consists of planes at right angles to "
+                       "it",
+                       off);
+    return IX_FAIL(ctx, IX_EDOMAIN,
+                   "the curves lie in one plane: the weight is at most %.3g of "
+                   "its terms, error band %.3g; their bisector is a cylinder "
+                   "over that in the plane",
+                   ratio, p->band);
 }
 
 /* --- all of both -----------------------------------------------------------
@@ -274,25 +351,18 @@ ix_status ix__crv_pair_check(ix_ctx *ctx, const ix_crv_pair *p)
 }
 
 ix_status ix__crv_pair_weight(ix_ctx *ctx, const ix_crv_pair *p,
-                              const ix_outer *w, size_t n, const double *pts,
-                              double size)
+                              const ix_outer *w)
 {
-    double big = ix__bern_largest(n, pts), off;
+    double band = (double)w->nterms * p->band * p->thin;
+    flat_spans f;
+    samples s[2];
 
-    if (big > p->band * size)
-        return check_spans(ctx, p, w);
-    off = off_line(p->crv);
-    if (off <= ldexp(p->band, p->frame.exp))
-        return IX_FAIL(ctx, IX_EDOMAIN,
-                       "the curves lie on one straight line, within %.3g: "
-                       "their bisector consists of planes at right angles to "
-                       "it",
-                       off);
-    return IX_FAIL(ctx, IX_EDOMAIN,
-                   "the curves lie in one plane: the weight is at most %.3g of "
-                   "its terms, error band %.3g; their bisector is a cylinder "
-                   "over that in the plane",
-                   size > 0.0 ? big / size : 0.0, p->band);
+    IX_TRY(sample_both(ctx, p, w, s));
+    IX_TRY(find_flat(ctx, s, w, band, &f));
+    if (!f.any)
+        return IX_OK;
+    return f.all ? refuse_all(ctx, p, f.ratio)
+                 : refuse_spans(ctx, w, f.i, f.j, f.ratio, band);
 }
 
 /* --- meetings --------------------------------------------------------------

@@ -349,13 +349,29 @@ static bool in_plane(const ix_mv *m, double *z)
     return true;
 }
 
-static ix_status load_forms(ix_ctx *ctx, const ix_mv *m, ix_curve *c)
+/* A point within the box becomes the origin: differences from it are then exact
+ * however near it is to the curve. */
+static void centre_frame(const double *at, ix_curve *c)
+{
+    for (int k = 0; k < c->dim; k++)
+        if (!(fabs(ldexp(at[k] - c->frame.shift[k], -c->frame.exp)) <= 1.0))
+            return;
+    for (int k = 0; k < c->dim; k++)
+        c->frame.shift[k] = at[k];
+    c->frame.exp++;
+    c->frame.noise *= 0.5;
+}
+
+static ix_status load_forms(ix_ctx *ctx, const ix_mv *m, const double *at,
+                            ix_curve *c)
 {
     static const double one = 1.0;
     ix_form f;
     int r = m->rational;
 
     IX_TRY(ix__frame_of(ctx, 1, &m, &c->frame));
+    if (at)
+        centre_frame(at, c);
     IX_TRY(ix__forms_load(ctx, 1, &m, &c->frame, &f));
     c->rational = r;
     c->degree = f.dirs[0].degree;
@@ -394,6 +410,12 @@ static bool constant_weight(const ix_mv *m)
 ix_status ix__curve_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
                          bool simplify, ix_curve *out)
 {
+    return ix__curve_load_at(ctx, crv, kind, NULL, simplify, out);
+}
+
+ix_status ix__curve_load_at(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
+                            const double *at, bool simplify, ix_curve *out)
+{
     ix_curve c = {.dim = crv->ncoords, .ncoords = crv->ncoords};
     bool rational = crv->rational;
     ix_mv *m;
@@ -413,7 +435,7 @@ ix_status ix__curve_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
     if (rational && simplify && crv->dirs[0].basis != IX_POWER)
         rational = !constant_weight(crv);
     IX_TRY(ix_mv_coerce(ctx, crv, c.dim, rational, &m));
-    st = load_forms(ctx, m, &c);
+    st = load_forms(ctx, m, at, &c);
     ix_mv_unref(ctx, m);
     *out = c;
     return st;

@@ -54,7 +54,7 @@ ix_status ix__pt_crv_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
                            k + 1, q[k]);
     if (!isfinite(alpha))
         return IX_FAIL(ctx, IX_EARG, "a ratio of %g; it must be finite", alpha);
-    IX_TRY(ix__curve_load(ctx, crv, kind, simplify, &c.c));
+    IX_TRY(ix__curve_load_at(ctx, crv, kind, q, simplify, &c.c));
     for (int k = 0; k < dim; k++)
         c.q[k] = ldexp(q[k] - c.c.frame.shift[k], -c.c.frame.exp);
     IX_TRY(relative(ctx, &c));

@@ -9,7 +9,7 @@
 
 typedef long double real;
 
-enum { MAX_DEGREE = 6 };
+enum { MAX_DEGREE = 7 };
 
 /* Homogeneous control points around one parameter, w first. */
 typedef struct {
