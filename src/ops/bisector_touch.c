@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "geom/parts.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
 #include "ops/plane_bisector.h"
@@ -66,43 +67,95 @@ static ix_status newton(ix_ctx *ctx, const ix_mv *c, const ray *r, double t,
     return IX_OK;
 }
 
+/* Steps that are this small a part of the domain, and do not become smaller,
+ * are rounding. */
+#define ROUNDED 1e-7
+
 static ix_status solve(ix_ctx *ctx, const ix_mv *c, const ray *r, double *t,
                        double *k)
 {
-    double dom[2], step;
+    double dom[2], step, before = INFINITY;
 
     ix_mv_domain(c, 0, dom);
     for (int i = 0; i < 50; i++) {
-        double next;
+        double next, len;
 
         IX_TRY(newton(ctx, c, r, *t, &step, k));
         next = fmin(fmax(*t - step, dom[0]), dom[1]);
+        len = fabs(next - *t);
         if (!isfinite(next))
             break;
-        if (fabs(next - *t) <= 1e-15 * (fabs(next) + dom[1] - dom[0]))
+        if (len <= 1e-15 * (fabs(next) + dom[1] - dom[0]) ||
+            (len <= ROUNDED * (dom[1] - dom[0]) && len >= 0.9 * before))
             return IX_OK;
         *t = next;
+        before = len;
     }
     return IX_FAIL(ctx, IX_EUNABLE,
                    "no circle that touches both curves is near");
 }
 
-ix_status ix_bisector_touch(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
-                            int side, double foot[2], double b[2], double *r)
+/* With both curves near the origin, where their coordinates have most digits.
+ */
+static ix_status touch(ix_ctx *ctx, const ix_mv *const c[2], int side,
+                       double foot[2], double b[2], double *r)
 {
-    const ix_mv *const c[2] = {c1, c2};
     ray own;
     double k;
 
-    IX_TRY(ix__plane_check(ctx, 2, c));
-    IX_TRY(ray_at(ctx, c1, foot[0], side < 0 ? -1 : 1, &own));
-    IX_TRY(solve(ctx, c2, &own, &foot[1], &k));
+    IX_TRY(ray_at(ctx, c[0], foot[0], side, &own));
+    IX_TRY(solve(ctx, c[1], &own, &foot[1], &k));
     if (!(k > 0.0))
         return IX_FAIL(ctx, IX_EUNABLE, "the circle is a line");
     *r = 1.0 / k;
     b[0] = own.c[0] + *r * own.n[0];
     b[1] = own.c[1] + *r * own.n[1];
     return IX_OK;
+}
+
+static ix_status moved_touch(ix_ctx *ctx, const ix_mv *const *c,
+                             const double q[2], int side, double foot[2],
+                             double b[2], double *r)
+{
+    ix_mv *near[2] = {NULL, NULL};
+    ix_status st = ix__plane_moved(ctx, c[0], -1.0, q, &near[0]);
+
+    if (st == IX_OK)
+        st = ix__plane_moved(ctx, c[1], -1.0, q, &near[1]);
+    if (st == IX_OK) {
+        const ix_mv *const both[2] = {near[0], near[1]};
+
+        st = touch(ctx, both, side, foot, b, r);
+    }
+    for (int i = 0; i < 2; i++) {
+        ix_mv_unref(ctx, near[i]);
+        b[i] = st == IX_OK ? b[i] + q[i] : 0.0;
+    }
+    return st;
+}
+
+static ix_status scoped(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2, int side,
+                        double foot[2], double b[2], double *r)
+{
+    const ix_mv *const c[2] = {c1, c2};
+    double q[IX_MAX_COORDS];
+    ix_mv **flat;
+    ix_status st;
+
+    IX_TRY(ix__plane_curves(ctx, 2, c, &flat));
+    st = ix_mv_point(ctx, flat[0], &foot[0], q);
+    if (st == IX_OK)
+        st = moved_touch(ctx, (const ix_mv *const *)flat, q, side < 0 ? -1 : 1,
+                         foot, b, r);
+    ix__mv_unref_all(ctx, flat, 2);
+    return st;
+}
+
+ix_status ix_bisector_touch(ix_ctx *ctx, const ix_mv *c1, const ix_mv *c2,
+                            int side, double foot[2], double b[2], double *r)
+{
+    b[0] = b[1] = *r = 0.0;
+    IX_RETURN_SCOPED(ctx, scoped(ctx, c1, c2, side, foot, b, r));
 }
 
 /* --- ends of segments ------------------------------------------------------

@@ -114,6 +114,8 @@ double ix__own_parameter(const ix__set *s, const ix__sample *a)
  * told from nothing, as one that touches this far beside it: there the foot
  * changes from the curve to the vertex. */
 #define AT_VERTEX 1e-6
+/* Not so where the circle is small itself: at a common end or a crossing. */
+#define SMALL_CIRCLE 1e-3
 
 double ix__other_parameter(const ix__set *s, const ix__sample *a)
 {
@@ -122,9 +124,9 @@ double ix__other_parameter(const ix__set *s, const ix__sample *a)
 
     if (a->vertex >= 0)
         return s->vertex[a->vertex].t;
-    if (u < AT_VERTEX && sp->vertex[0] >= 0)
+    if (u < AT_VERTEX && sp->vertex[0] >= 0 && a->r > SMALL_CIRCLE)
         u = 0.0;
-    if (u > 1.0 - AT_VERTEX && sp->vertex[1] >= 0)
+    if (u > 1.0 - AT_VERTEX && sp->vertex[1] >= 0 && a->r > SMALL_CIRCLE)
         u = 1.0;
     return ix__span_parameter(sp, u);
 }

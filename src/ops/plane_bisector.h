@@ -25,6 +25,9 @@ ix_status ix__bisector_exact(ix_ctx *ctx, const ix__walked *w,
 /* The user's parameters of both feet. */
 double ix__own_parameter(const ix__set *s, const ix__sample *a);
 double ix__other_parameter(const ix__set *s, const ix__sample *a);
+/* A curve with two coordinates moved by f q. */
+ix_status ix__plane_moved(ix_ctx *ctx, const ix_mv *m, double f,
+                          const double q[2], ix_mv **out) IX_MUST_CHECK;
 /* The tolerance of the polylines, relative. Err IX_EARG negative, NaN. */
 ix_status ix__bisector_tol(ix_ctx *ctx, double tol, double *out) IX_MUST_CHECK;
 /* IX_EARG unless all are curves with at least two coordinates. */

@@ -108,9 +108,8 @@ static ix_status exact_straight(const maker *k, ix_bisector_piece *p)
 /* --- rational pieces -------------------------------------------------------
  */
 
-/* m with f q added to all points. */
-static ix_status moved(ix_ctx *ctx, const ix_mv *m, double f, const double q[2],
-                       ix_mv **out)
+ix_status ix__plane_moved(ix_ctx *ctx, const ix_mv *m, double f,
+                          const double q[2], ix_mv **out)
 {
     const double *w = ix_mv_weights(m);
     size_t n = m->npts, first = w ? n : 0;
@@ -122,7 +121,8 @@ static ix_status moved(ix_ctx *ctx, const ix_mv *m, double f, const double q[2],
         for (size_t i = 0; i < n; i++) {
             size_t at = first + k * n + i;
 
-            (*out)->pts[at] = fma(f * q[k], w ? w[i] : 1.0, m->pts[at]);
+            (*out)->pts[at] = fma(f * q[k], w ? w[i] : ix__mv_one(m, i),
+                                  m->pts[at]);
         }
     return IX_OK;
 }
@@ -258,7 +258,7 @@ static ix_status orient(ix_ctx *ctx, bool back, const bool far[2],
         if (far[e])
             IX_TRY(mark_pole(ctx, e, m));
     }
-    IX_TRY(moved(ctx, *m, 1.0, q, &out));
+    IX_TRY(ix__plane_moved(ctx, *m, 1.0, q, &out));
     ix_mv_unref(ctx, *m);
     *m = out;
     return IX_OK;
@@ -286,7 +286,7 @@ static ix_status around_origin(ix_ctx *ctx, const ix_mv *crv, const double t[2],
     ix_mv *m, *next;
 
     widen(crv, t, wide);
-    IX_TRY(moved(ctx, crv, -1.0, q, &m));
+    IX_TRY(ix__plane_moved(ctx, crv, -1.0, q, &m));
     IX_TRY(ix__mv_step(ctx, &m, &next,
                        ix_mv_region(ctx, m, 0, wide[0], wide[1], &next)));
     IX_TRY(ix__mv_step(

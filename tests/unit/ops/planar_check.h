@@ -145,6 +145,34 @@ static inline void check_sound(const problem *p)
     }
 }
 
+/* Law: between two vertices ix_bisector_touch gives points as exact as the
+ * vertices: 1e-11 is what the truth leaves with cusps. */
+static inline void check_exact_points(const problem *p,
+                                      const ix_mv *const *const c[2], ix_rng *r)
+{
+    for (int i = 0; i < p->s->n; i++) {
+        const ix_bisector_piece *g = &p->s->piece[i];
+
+        for (int j = 0; g->kind == IX_CURVE_CURVE && j < (p->close ? 8 : 1);
+             j++) {
+            int k = ix_rng_int(r, 0, g->n - 2);
+            double u = ix_rng_unit(r), foot[2], b[2], rad;
+
+            for (int e = 0; e < 2; e++)
+                foot[e] = (1 - u) * g->foot[2 * k + e] +
+                          u * g->foot[2 * k + 2 + e];
+            ASSERT_OK(p->ctx, ix_bisector_touch(p->ctx, c[0][g->curve[0]],
+                                                c[1][g->curve[1]], g->side,
+                                                foot, b, &rad));
+            for (int e = 0; e < 2; e++)
+                if (!(fabs(truth_distance(&p->set[e], b) - rad) <=
+                      1e-11 * fmax(p->size, rad) + coordinate_ulps(p, b)))
+                    WRONG(p, "the exact point (%.12g, %.12g): %.12g, %.12g",
+                          b[0], b[1], rad, truth_distance(&p->set[e], b));
+        }
+    }
+}
+
 /* --- completeness ----------------------------------------------------------
  */
 
@@ -407,6 +435,7 @@ static inline void check_bisector(problem *p, const int n[2],
     check_ends(p);
     check_infinity(p);
     check_complete(p, r);
+    check_exact_points(p, c, r);
     for (int k = 0; k < 2; k++)
         free(p->set[k].arc);
 }
