@@ -1,97 +1,11 @@
 /* bisect_crv_crv.c - the true bisector of two objects made of curves. */
-#include <string.h>
-
 #include "geom/parts.h"
-#include "iritx/distance.h"
 #include "iritx/ops_plane.h"
 #include "mv/mv.h"
 #include "ops/plane_bisector.h"
 
 /* Samples of each side of a span, before any refinement. */
 enum { GRID = 8 };
-
-/* --- crossings -------------------------------------------------------------
- *
- * Where the curves cross four branches meet. They may belong to parts of the
- * bisector, however small, that are connected to others by crossings only: on
- * either side of the first curve, a little before and behind each crossing, the
- * walk looks for them. */
-
-typedef struct {
-    int n;
-    ix__place *p;
-} places;
-
-/* The border elements of span i, at u - step and u + step. */
-static void both_sides(const ix__set *s, int i, double u, double step,
-                       places *out)
-{
-    for (int j = 0; j < s->nborders; j++) {
-        const ix__border *e = &s->border[j];
-
-        if (e->kind != IX__SIDE || e->index != i)
-            continue;
-        for (int k = -1; k <= 1; k += 2) {
-            double at = (e->side > 0 ? u : 1.0 - u) + k * step;
-
-            if (at > 0.0 && at < 1.0)
-                out->p[out->n++] = (ix__place){j, at};
-        }
-    }
-}
-
-/* Branches whose feet stay near a crossing, or near an end where one curve goes
- * on from the other, may be as short as that on the curve. */
-static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
-enum { STEPS = sizeof steps / sizeof *steps };
-
-static void add_crossing(const ix__set *s, int curve, double t, places *out)
-{
-    for (int i = 0; i < s->nspans; i++) {
-        const ix__span *sp = &s->span[i];
-        double u = (t - sp->t[0]) / (sp->t[1] - sp->t[0]);
-
-        if (sp->curve == curve && u > -1e-9 && u < 1.0 + 1e-9) {
-            for (int k = 0; k < STEPS; k++)
-                both_sides(s, i, u, steps[k], out);
-        }
-    }
-}
-
-/* Two sides, two directions, and two spans at a joint. */
-enum { PER_CROSSING = 8 * STEPS };
-
-static ix_status crossings(ix_ctx *ctx, const ix__set *s, int curve,
-                           const ix_mv *a, const ix_mv *b, places *out)
-{
-    /* overlapping curves would fill any number of boxes */
-    static const ix_solve_opts few = {.max_boxes = 20000};
-    ix_solutions meet;
-    ix__place *more;
-
-    IX_TRY(ix_crv_crv_meet(ctx, a, b, &few, &meet));
-    more = ix__scratch(ctx, (size_t)out->n + PER_CROSSING * (size_t)meet.n,
-                       sizeof *more);
-    if (more) {
-        if (out->n)
-            memcpy(more, out->p, (size_t)out->n * sizeof *more);
-        out->p = more;
-        for (int i = 0; i < meet.n; i++)
-            add_crossing(s, curve, meet.sol[i].x[0], out);
-    }
-    ix_solutions_free(ctx, &meet);
-    return more ? IX_OK : IX_ENOMEM;
-}
-
-static ix_status all_crossings(ix_ctx *ctx, const ix__object obj[2],
-                               places *out)
-{
-    for (int i = 0; i < obj[0].n; i++)
-        for (int j = 0; j < obj[1].n; j++)
-            IX_TRY(crossings(ctx, obj[0].set, i, obj[0].crv[i], obj[1].crv[j],
-                             out));
-    return IX_OK;
-}
 
 /* --- the walk --------------------------------------------------------------
  */
@@ -125,11 +39,12 @@ static ix_status walk(ix_ctx *ctx, const ix__object obj[2],
                   GRID,
                   may_meet(obj[0].set, obj[1].set),
                   ix__sets_size(obj[0].set, obj[1].set)};
-    places seeds = {0, NULL};
+    ix__place *seeds;
     ix__walked done;
+    int n;
 
-    IX_TRY(all_crossings(ctx, obj, &seeds));
-    IX_TRY(ix__walk_all(ctx, &w, seeds.n, seeds.p, &done));
+    IX_TRY(ix__plane_seeds(ctx, obj, &n, &seeds));
+    IX_TRY(ix__walk_all(ctx, &w, n, seeds, &done));
     return ix__bisector_make(ctx, &done, obj, frame, out);
 }
 

@@ -22,6 +22,11 @@ ix_status ix__bisector_make(ix_ctx *ctx, const ix__walked *w,
 ix_status ix__bisector_exact(ix_ctx *ctx, const ix__walked *w,
                              const ix__object obj[2], const ix__run *r,
                              ix_bisector_piece *p) IX_MUST_CHECK;
+/* Places from which every part of the bisector of both objects can be reached
+ * if they meet and each is connected; scratch.
+ * Err those of ix_crv_crv_meet */
+ix_status ix__plane_seeds(ix_ctx *ctx, const ix__object obj[2], int *n,
+                          ix__place **out) IX_MUST_CHECK;
 /* The user's parameters of both feet. */
 double ix__own_parameter(const ix__set *s, const ix__sample *a);
 double ix__other_parameter(const ix__set *s, const ix__sample *a);

@@ -38,11 +38,12 @@ static void check(ix_ctx *ctx, int kind, int pair)
 
 /* Pairs in which something was wrong once: a piece that bends both ways between
  * two vertices; parts that came and went between two, and chords too long for
- * the size of the curves; exact pieces far from the origin. */
+ * the size of the curves; exact pieces far from the origin; a part that begins
+ * at the region behind a common end and goes to infinity. */
 static void found(void **state)
 {
-    static const int which[][2] = {
-        {0, 287}, {5, 1028}, {12, 3}, {18, 0}, {16, 15}};
+    static const int which[][2] = {{0, 287}, {5, 1028}, {12, 3},
+                                   {18, 0},  {16, 15},  {6, 31}};
 
     (void)state;
     for (size_t i = 0; i < sizeof which / sizeof *which; i++) {
