@@ -18,6 +18,9 @@ enum { GRID = 6 };
 /* Ends of branches that are nearer are one node: well above the place of an end
  * (1e-10 at a vertex of curvature), below any real branch. */
 #define SAME_NODE 1e-6
+/* A branch from a node to itself that is shorter is none: one around a hole
+ * keeps half way to what is around that. */
+#define LOOP 1e-4
 
 void ix_medial_axis_free(ix_ctx *ctx, ix_medial_axis *m)
 {
@@ -44,16 +47,15 @@ static double other_place(const ix__set *s, const ix__sample *a)
     return a->vertex >= 0 ? s->nspans + a->vertex : a->foot.span + a->foot.u;
 }
 
-/* Shorter than what is one node: as a circle that touches both at a corner and
- * beside it, within rounding, while its foot goes from the one to the other. */
-static bool is_node(const ix__walked *w, const ix__run *r)
+/* Is no centre of r farther than d from the first one? */
+static bool within(const ix__walked *w, const ix__run *r, double d)
 {
     const ix__sample *a = ix__run_at(w, r, 0);
 
     for (int i = 1; i < r->count; i++) {
         const ix__sample *b = ix__run_at(w, r, i);
 
-        if (!(hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <= SAME_NODE))
+        if (!(hypot(a->b[0] - b->b[0], a->b[1] - b->b[1]) <= d))
             return false;
     }
     return true;
@@ -155,24 +157,11 @@ typedef struct {
     const ix__walked *w;
     ix_medial_axis *out;
     double *data;
+    ix__sample *end; /* [2 nruns], of the runs that count */
+    int *root;       /* [2 nruns]: of the set of ends that are one node; its
+                        own index: the first of them; -1: no end */
+    int *node;       /* [2 nruns], of a root; -1: none yet */
 } maker;
-
-static int node_at(maker *k, const ix__sample *s)
-{
-    ix_medial_axis *m = k->out;
-    double x[2], tol = SAME_NODE * m->size;
-
-    for (int i = 0; i < 2; i++)
-        x[i] = ldexp(s->b[i], k->g->frame.exp) + k->g->frame.shift[i];
-    for (int i = 0; i < m->nnodes; i++)
-        if (hypot(m->node[i].x[0] - x[0], m->node[i].x[1] - x[1]) <= tol) {
-            m->node[i].degree++;
-            return i;
-        }
-    m->node[m->nnodes] = (ix_medial_node){
-        {x[0], x[1]}, ldexp(s->r, k->g->frame.exp), 1};
-    return m->nnodes++;
-}
 
 /* The first and last run of the loop of run i. */
 static void loop_runs(const ix__walked *w, int i, int out[2])
@@ -250,16 +239,100 @@ static void add_vertex(maker *k, const ix__sample *a, ix_medial_branch *b,
     b->n++;
 }
 
+static int root_of(const maker *k, int i)
+{
+    while (k->root[i] != i)
+        i = k->root[i];
+    return i;
+}
+
+static void unite(maker *k, int i, int j)
+{
+    int a = root_of(k, i), b = root_of(k, j);
+
+    if (a < b)
+        k->root[b] = a;
+    else
+        k->root[a] = b;
+}
+
+/* Both ends of the runs that count. A tip takes the place of the last circle
+ * that touches twice. */
+static void find_ends(maker *k)
+{
+    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID, false, 0.0};
+
+    for (int i = 0; i < k->w->nruns; i++) {
+        const ix__run *r = &k->w->run[i];
+        bool in = counts(&k->g->set, k->w, r);
+
+        for (int e = 0; e < 2; e++) {
+            int j = 2 * i + e;
+
+            k->node[j] = -1;
+            k->root[j] = in ? j : -1;
+            if (in && !tip(k, &walk, i, e ? 1 : -1, &k->end[j]))
+                k->end[j] = *ix__run_at(k->w, r, e ? r->count - 1 : 0);
+        }
+    }
+}
+
+/* Ends that are near each other are one node; so are both ends of a run that is
+ * no longer than that: as a circle that touches both at a corner and beside it,
+ * within rounding, while its foot goes from the one to the other. */
+static void join_ends(maker *k)
+{
+    for (int j = 0; j < 2 * k->w->nruns; j++) {
+        const ix__sample *b = &k->end[j];
+
+        for (int i = 0; i < j && k->root[j] >= 0; i++)
+            if (k->root[i] >= 0 && hypot(k->end[i].b[0] - b->b[0],
+                                         k->end[i].b[1] - b->b[1]) <= SAME_NODE)
+                unite(k, i, j);
+    }
+    for (int i = 0; i < k->w->nruns; i++)
+        if (k->root[2 * i] >= 0 && within(k->w, &k->w->run[i], SAME_NODE))
+            unite(k, 2 * i, 2 * i + 1);
+}
+
+static int add_node(maker *k, const ix__sample *s, int degree)
+{
+    ix_medial_axis *m = k->out;
+    ix_medial_node *n = &m->node[m->nnodes];
+
+    for (int i = 0; i < 2; i++)
+        n->x[i] = ldexp(s->b[i], k->g->frame.exp) + k->g->frame.shift[i];
+    n->r = ldexp(s->r, k->g->frame.exp);
+    n->degree = degree;
+    return m->nnodes++;
+}
+
+/* The node at end j. */
+static int node_of(maker *k, int j)
+{
+    int i = root_of(k, j);
+
+    if (k->node[i] < 0)
+        k->node[i] = add_node(k, &k->end[i], 0);
+    k->out->node[k->node[i]].degree++;
+    return k->node[i];
+}
+
+/* Is the end of a run another circle than its last one: a tip? */
+static bool apart(const ix__sample *end, const ix__sample *last)
+{
+    return end->border != last->border || end->at != last->at;
+}
+
 static void add_branch(maker *k, int index)
 {
     const ix__run *r = &k->w->run[index];
-    ix__walk walk = {&k->g->set, &k->g->set, k->g->tol, GRID, false, 0.0};
     const ix__set *s = &k->g->set;
     ix_medial_branch *b = &k->out->branch[k->out->nbranches++];
     const ix__sample *a = ix__run_at(k->w, r, 0);
+    const ix__sample *end = &k->end[2 * index];
     const ix__border *e = &s->border[a->border];
     double *x = k->data, *foot = x + 3 * (r->count + 2);
-    ix__sample end;
 
     *b = (ix_medial_branch){.x = x, .foot = foot};
     b->point[0] = e->kind == IX__FAN;
@@ -267,41 +340,58 @@ static void add_branch(maker *k, int index)
     b->curve[0] = e->kind == IX__FAN ? s->vertex[e->index].curve
                                      : s->span[e->index].curve;
     b->curve[1] = s->span[a->foot.span].curve;
-    if (tip(k, &walk, index, -1, &end))
-        add_vertex(k, &end, b, x, foot);
-    else
-        end = *a;
-    b->node[0] = node_at(k, &end);
+    for (int i = 0; i < 2; i++)
+        b->node[i] = node_of(k, 2 * index + i);
+    if (apart(&end[0], a))
+        add_vertex(k, &end[0], b, x, foot);
     for (int i = 0; i < r->count; i++)
         add_vertex(k, ix__run_at(k->w, r, i), b, x, foot);
-    if (tip(k, &walk, index, 1, &end))
-        add_vertex(k, &end, b, x, foot);
-    else
-        end = *ix__run_at(k->w, r, r->count - 1);
-    b->node[1] = node_at(k, &end);
+    if (apart(&end[1], ix__run_at(k->w, r, r->count - 1)))
+        add_vertex(k, &end[1], b, x, foot);
     k->data = foot + 2 * (r->count + 2);
 }
 
-/* A region whose circles are all one: its centre. */
-static void only_node(maker *k)
+/* A part of the region whose circles are all one, as far as nodes go, is a
+ * disc: its centre. */
+static void add_centre(maker *k, int loop)
 {
-    for (int i = 0; i < k->w->nloops; i++)
-        for (int j = 0; j < k->w->loop[i].n; j++) {
-            const ix__sample *a = ix__sample_at(&k->w->loop[i], j);
+    const ix__sample *first = NULL;
 
-            if (!a->valid)
-                continue;
-            (void)node_at(k, a);
-            k->out->node[0].degree = 0;
+    for (int j = 0; j < k->w->loop[loop].n; j++) {
+        const ix__sample *s = ix__sample_at(&k->w->loop[loop], j);
+
+        if (!s->valid)
+            continue;
+        if (!first)
+            first = s;
+        if (!(hypot(s->b[0] - first->b[0], s->b[1] - first->b[1]) <= SAME_NODE))
             return;
-        }
+    }
+    if (first)
+        (void)add_node(k, first, 0);
+}
+
+static void add_all(maker *k)
+{
+    for (int i = 0; i < k->w->nruns; i++) {
+        bool loop = k->root[2 * i] >= 0 &&
+                    root_of(k, 2 * i) == root_of(k, 2 * i + 1);
+
+        if (k->root[2 * i] >= 0 && !(loop && within(k->w, &k->w->run[i], LOOP)))
+            add_branch(k, i);
+    }
+    for (int i = 0; i < k->w->nloops; i++)
+        add_centre(k, i);
 }
 
 static ix_status make(region *g, const ix__walked *w, ix_medial_axis *out)
 {
     maker k = {.g = g, .w = w, .out = out};
-    size_t n = (size_t)w->nruns + 1, total = 0;
+    size_t n = (size_t)w->nruns + (size_t)w->nloops, total = 0;
 
+    IX_SCRATCH(g->ctx, k.end, 2 * n);
+    IX_SCRATCH(g->ctx, k.root, 2 * n);
+    IX_SCRATCH(g->ctx, k.node, 2 * n);
     for (int i = 0; i < w->nruns; i++)
         total += (size_t)w->run[i].count + 2;
     *out = (ix_medial_axis){
@@ -313,11 +403,9 @@ static ix_status make(region *g, const ix__walked *w, ix_medial_axis *out)
         return IX_ENOMEM;
     out->node = (ix_medial_node *)(void *)(out->branch + n);
     k.data = (double *)(void *)(out->node + 2 * n);
-    for (int i = 0; i < w->nruns; i++)
-        if (counts(&g->set, w, &w->run[i]) && !is_node(w, &w->run[i]))
-            add_branch(&k, i);
-    if (out->nbranches == 0)
-        only_node(&k);
+    find_ends(&k);
+    join_ends(&k);
+    add_all(&k);
     return IX_OK;
 }
 

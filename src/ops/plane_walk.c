@@ -76,6 +76,20 @@ static bool flat(const ix__walk *w, const ix__sample *a, const ix__sample *m,
            part >= 0.04 * len * len && part <= 0.96 * len * len;
 }
 
+/* Of a medial axis the radius is a coordinate, too. As good as a parabola
+ * between a, m and b it is a quarter as far from the chords of both halves as m
+ * is from that of the whole. */
+static bool radius_flat(const ix__walk *w, const ix__sample *a,
+                        const ix__sample *m, const ix__sample *b)
+{
+    double la = hypot(m->b[0] - a->b[0], m->b[1] - a->b[1]);
+    double lb = hypot(b->b[0] - m->b[0], b->b[1] - m->b[1]);
+
+    return w->own != w->other ||
+           fabs((m->r - a->r) * lb - (b->r - m->r) * la) <=
+               2.0 * ix__walk_room(w, m) * (la + lb);
+}
+
 /* Is what was covered what the speeds at both ends and in the middle promise,
  * by Simpson's rule? Where a part of either border was left out it is not. Far
  * out both grow as on hyperbolas: there their geometric mean is compared,
@@ -160,7 +174,7 @@ static bool smooth(const ix__walk *w, const ix__sample *a, const ix__sample *m,
 
     if (!m->valid || !ix__same_feet(w, a, b) || !ix__same_feet(w, a, m) ||
         ix__walk_turns(w, a, b) || ix__passes_seam(w, a, b) ||
-        !flat(w, a, m, b))
+        !flat(w, a, m, b) || !radius_flat(w, a, m, b))
         return false;
     if (a->own_circle)
         return true;
