@@ -80,12 +80,14 @@ static void cut_line(double *w, size_t m, double a, bool low)
 {
     double q = 1 - a;
 
-    for (size_t k = m - 1; k > 0; k--)
-        for (size_t i = 0; i < k && low; i++)
-            w[i] = q * w[i] + a * w[i + 1];
-    for (size_t k = 1; k < m; k++)
-        for (size_t i = m - 1; i >= k && !low; i--)
-            w[i] = q * w[i - 1] + a * w[i];
+    for (size_t k = 1; k < m; k++) {
+        if (low)
+            for (size_t i = 0; i < m - k; i++)
+                w[i] = q * w[i] + a * w[i + 1];
+        else
+            for (size_t i = m - 1; i >= k; i--)
+                w[i] = q * w[i - 1] + a * w[i];
+    }
 }
 
 void ix__tensor_cut(const ix__shape *s, double *c, int j, double a, bool low)

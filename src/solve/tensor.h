@@ -4,7 +4,8 @@
  *
  * A sum of functions of one unknown each, such as x(t) - y(r), is kept as such:
  * its coefficients would be sums of one coefficient of each line of dims[j]
- * numbers. Ranges, sizes and errors are those of these sums. */
+ * numbers. Ranges, sizes and errors are those of these sums, which of two lines
+ * are rounded once: their signs are exact. */
 #ifndef SOLVE_TENSOR_H
 #define SOLVE_TENSOR_H
 
@@ -32,6 +33,7 @@ typedef struct {
 } ix__shape;
 
 void ix__shape_init(ix__shape *s, int n, const int *dims);
+/* Of at most two lines. */
 void ix__shape_init_sum(ix__shape *s, int n, const int *dims);
 
 /* The part over [a, 1] (low = false: [0, a]) of direction j, in place. */
