@@ -64,17 +64,20 @@ void ix_bisector_points_free(ix_ctx *ctx, ix_bisector_point *p, int count);
  * in any combination: curves, as polylines.
  *
  * In    m      2 or 3 coordinates; a curve of order 1 is a point
- *       tol    as ix_curves_opts: of the parameter space; 0: 1e-4
+ *       tol    distance of the polylines from the curves, as a part of the
+ *              domains and of the box, with steps of at most its square root;
+ *              0: 1e-4
  *       box    lo[3], hi[3]; parts outside are left out
- * Out   *out   freed with ix_lines_free; *complete as in ix_solution_curves
- * Err   IX_EARG other objects, tol, an empty box; IX_EDOMAIN two points are one
- * Num   at most one surface: equations between the parameters of the feet,
- *       solved for all curves (three points: their line; two and a curve: a
- *       step of sqrt(tol) of its parameter). Two or three surfaces, and two
- *       curves and a surface if the equations have more solutions: curves that
- *       cross a grid of 4 to 64 steps (1 / sqrt(tol)) on the last one of them,
- *       followed in steps of sqrt(tol): those that pass between all
- *       nodes, and beyond creases from pieces so small, are missed */
+ * Out   *out   freed with ix_lines_free; *complete: every curve is there, but
+ *              those smaller than 1e-6 of the box, and spheres than 1e-5
+ * Err   IX_EARG other objects, tol, an empty box; IX_EDOMAIN two points are
+ *       one; a direction in which an operand does not change
+ * Num   boxes of centres with boxes of their feet, each left out, proven to
+ *       hold one arc (in rounded arithmetic), or halved; curves followed by
+ *       Newton's method, their vertices equally far to rounding. Stops with
+ *       *complete false after some ten seconds of work, as if whole surfaces
+ *       are equally far. Deterministic
+ * Src   Krawczyk 1969, with one unknown as a parameter */
 ix_status ix_trisector(ix_ctx *ctx, const ix_mv *const m[3], double tol,
                        const double box[6], ix_lines *out,
                        bool *complete) IX_MUST_CHECK;

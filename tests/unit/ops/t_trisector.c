@@ -1,5 +1,6 @@
 /* Trisectors of points, curves and surfaces: every vertex has feet with equal
  * distances on all three (found anew), and closed forms are covered. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "geom/vec3.h"
@@ -139,8 +140,7 @@ static void release_all(ix_mv *m[3], ix_lines *l)
         ix_mv_unref(ctx, m[i]);
 }
 
-/* Law (0.4 s, the search of ten systems): for all kinds of operands, in any
- * order, the feet of each vertex have
+/* Law: for all kinds of operands, in any order, the feet of each vertex have
  * equal distances (1e-8, of distances up to 4); every kind has curves. */
 static void feet_are_equally_far(void **state)
 {
@@ -152,7 +152,10 @@ static void feet_are_equally_far(void **state)
     (void)state;
     for (int i = 0; i < 10; i++) {
         size_t seen = 0;
+        double part = i == 9 ? 0.5 : 1.0, cut[6];
 
+        for (int k = 0; k < 6; k++)
+            cut[k] = part * box[k]; /* three surfaces take longest */
         for (int round = i & 1; round < 2; round += 2) {
             ix_mv *m[3];
             bool complete;
@@ -167,7 +170,7 @@ static void feet_are_equally_far(void **state)
                                       : patch(at[k], k == 1 ? y : x,
                                               k == 0 ? y : z, 0.2, round);
             }
-            ASSERT_OK(ctx, ix_trisector(ctx, (const ix_mv *const *)m, 1e-2, box,
+            ASSERT_OK(ctx, ix_trisector(ctx, (const ix_mv *const *)m, 1e-2, cut,
                                         &l, &complete));
             assert_true(complete);
             for (size_t v = 0; v < vertices(&l); v += 7) {
@@ -176,7 +179,7 @@ static void feet_are_equally_far(void **state)
                 if (!(off <= 1e-8))
                     fail_msg("%s: off by %g", kinds[i], off);
                 for (int k = 0; k < 3; k++)
-                    assert_true(fabs(l.pt[v][k]) <= 1);
+                    assert_true(fabs(l.pt[v][k]) <= part);
             }
             seen += vertices(&l);
             release_all(m, &l);
@@ -200,6 +203,7 @@ static void three_planes(void **state)
         m[k] = patch(o, e[(k + 1) % 3], e[(k + 2) % 3], 0, k == 2);
     ASSERT_OK(ctx, ix_trisector(ctx, (const ix_mv *const *)m, 1e-2, box, &l,
                                 &complete));
+    assert_int_equal(l.n, 4);
     for (size_t v = 0; v < vertices(&l); v++) {
         double d[3];
 
@@ -256,6 +260,197 @@ static void point_and_two_planes(void **state)
     release_all(m, &l);
 }
 
+/* --- closed forms -----------------------------------------------------------
+ */
+
+/* A point, a line or a plane through at with the direction (or normal) d. */
+typedef struct {
+    char kind;
+    double at[3], d[3];
+} simple;
+
+static simple random_simple(char kind)
+{
+    simple s = {.kind = kind};
+
+    for (int k = 0; k < 3; k++) {
+        s.at[k] = ix_rng_range(&rng, -0.8, 0.8);
+        s.d[k] = ix_rng_range(&rng, -1, 1);
+    }
+    ix__unit3(s.d, s.d);
+    return s;
+}
+
+/* Large enough for all feet from the box. */
+static ix_mv *object_of(const simple *s)
+{
+    const ix_dir d = {IX_BEZIER, 2, 2, false, NULL};
+    double p[6], a[3], b[3];
+    ix_mv *m;
+
+    if (s->kind == 'p')
+        return point(s->at[0], s->at[1], s->at[2]);
+    if (s->kind == 'c') {
+        for (int i = 0; i < 6; i++)
+            p[i] = s->at[i / 2] + (i % 2 ? 4 : -4) * s->d[i / 2];
+        ASSERT_OK(ctx, ix_mv_new(ctx, 1, &d, 3, false, p, &m));
+        return m;
+    }
+    ix__perp3(s->d, a);
+    ix__cross3(s->d, a, b);
+    for (int k = 0; k < 3; k++) {
+        a[k] *= 2;
+        b[k] *= 2;
+    }
+    return patch(s->at, a, b, 0, false);
+}
+
+/* The squared distance from x and its gradient. */
+static double squared(const simple *s, const double x[3], double g[3])
+{
+    double e[3], h;
+
+    ix__sub3(x, s->at, e);
+    h = ix__dot3(e, s->d);
+    for (int k = 0; k < 3; k++)
+        g[k] = 2 * (s->kind == 'p'   ? e[k]
+                    : s->kind == 'c' ? e[k] - h * s->d[k]
+                                     : h * s->d[k]);
+    return ix__dot3(g, g) / 4;
+}
+
+/* The nearest point with three equal distances, by steps of least length. */
+static bool equal_near(const simple s[3], double x[3])
+{
+    for (int it = 0; it < 30; it++) {
+        double g[3][3], d[3], a[3], b[3], aa, ab, bb, det, u, v;
+
+        for (int i = 0; i < 3; i++)
+            d[i] = squared(&s[i], x, g[i]);
+        ix__sub3(g[1], g[0], a);
+        ix__sub3(g[2], g[0], b);
+        aa = ix__dot3(a, a), ab = ix__dot3(a, b), bb = ix__dot3(b, b);
+        det = aa * bb - ab * ab;
+        if (!(det > 1e-8))
+            return false;
+        u = (bb * (d[0] - d[1]) - ab * (d[0] - d[2])) / det;
+        v = (aa * (d[0] - d[2]) - ab * (d[0] - d[1])) / det;
+        ix__axpy3(x, u, a, x);
+        ix__axpy3(x, v, b, x);
+        if (fabs(d[0] - d[1]) + fabs(d[0] - d[2]) < 1e-14)
+            return fabs(x[0]) < 0.97 && fabs(x[1]) < 0.97 && fabs(x[2]) < 0.97;
+    }
+    return false;
+}
+
+/* Law: points, lines and planes in all mixes, from their distance functions: a
+ * point to which Newton's method leads from a node of a grid is on a polyline,
+ * to its chords (0.02; steps of 0.1), and each vertex is such a point. */
+static void closed_forms_are_covered(void **state)
+{
+    static const char *const kinds[] = {"ppc", "pps", "pcc", "pcs", "pss",
+                                        "ccc", "ccs", "css", "sss"};
+    int points = 0;
+
+    (void)state;
+    for (int i = 0; i < 8 + (getenv("IX_TEST_ROUNDS") != NULL); i++) {
+        simple s[3];
+        ix_mv *m[3];
+        bool complete;
+        ix_lines l;
+
+        for (int k = 0; k < 3; k++) {
+            s[k] = random_simple(kinds[i][k]);
+            m[k] = object_of(&s[k]);
+        }
+        ASSERT_OK(ctx, ix_trisector(ctx, (const ix_mv *const *)m, 1e-2, box, &l,
+                                    &complete));
+        if (!complete && i < 8)
+            fail_msg("%s: stopped", kinds[i]);
+        for (size_t v = 0; v < vertices(&l); v++) {
+            double g[3], d = squared(&s[0], l.pt[v], g);
+
+            assert_true(fabs(squared(&s[1], l.pt[v], g) - d) <= 1e-10);
+            assert_true(fabs(squared(&s[2], l.pt[v], g) - d) <= 1e-10);
+        }
+        for (int n = 0; n < 512; n++) {
+            double x[3] = {0.28 * (n % 8) - 0.98, 0.28 * (n / 8 % 8) - 0.98,
+                           0.28 * (n / 64) - 0.98};
+
+            if (!equal_near(s, x))
+                continue;
+            points++;
+            if (!(off_lines(&l, x) <= 0.02))
+                fail_msg("%s: (%g, %g, %g) is missed by %g", kinds[i], x[0],
+                         x[1], x[2], off_lines(&l, x));
+        }
+        release_all(m, &l);
+    }
+    assert_true(points > 200);
+}
+
+/* A spherical octant: a patch with a pole, turned by the signs of s. */
+static ix_mv *octant(const double c[3], double r, const double s[3])
+{
+    static const double w1[3] = {1, 0.70710678118654752440, 1};
+    static const double q[3][2] = {{1, 0}, {1, 1}, {0, 1}};
+    const ix_dir d[2] = {{IX_BEZIER, 3, 3, false, NULL},
+                         {IX_BEZIER, 3, 3, false, NULL}};
+    double p[36];
+    ix_mv *m;
+
+    for (int i = 0; i < 9; i++) {
+        int u = i % 3, v = i / 3;
+        double w = w1[u] * w1[v],
+               x[3] = {q[u][0] * q[v][0], q[u][1] * q[v][0], q[v][1]};
+
+        p[i] = w;
+        for (int k = 0; k < 3; k++)
+            p[9 * (k + 1) + i] = w * (c[k] + r * s[k] * x[k]);
+    }
+    ASSERT_OK(ctx, ix_mv_new(ctx, 2, d, 3, true, p, &m));
+    return m;
+}
+
+/* Octants of spheres of one radius around three points, with the pole on top:
+ * their centres' axis is equally far, as far as the feet are on the octants. */
+static void spherical_octants(void **state)
+{
+    static const double at[3][3] = {{1.5, 0.1, 0}, {0, 1.4, 0}, {-1.3, -1, 0}},
+                        part[6] = {-0.2, -0.2, 0.2, 0.3, 0.3, 0.9};
+    double c[2], a[2][2], h[2], det;
+    ix_mv *m[3];
+    bool complete;
+    ix_lines l;
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        h[i] = 0;
+        for (int k = 0; k < 2; k++) {
+            a[i][k] = at[i + 1][k] - at[0][k];
+            h[i] += (at[i + 1][k] * at[i + 1][k] - at[0][k] * at[0][k]) / 2;
+        }
+    }
+    det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    c[0] = (h[0] * a[1][1] - h[1] * a[0][1]) / det;
+    c[1] = (h[1] * a[0][0] - h[0] * a[1][0]) / det;
+    for (int i = 0; i < 3; i++) {
+        const double s[3] = {copysign(1, c[0] - at[i][0]),
+                             copysign(1, c[1] - at[i][1]), 1};
+
+        m[i] = octant(at[i], 0.5, s);
+    }
+    ASSERT_OK(ctx, ix_trisector(ctx, (const ix_mv *const *)m, 1e-2, part, &l,
+                                &complete));
+    assert_true(complete);
+    assert_int_equal(l.n, 1);
+    for (size_t v = 0; v < vertices(&l); v++) {
+        ASSERT_CLOSE(l.pt[v][0], c[0], 1e-10);
+        ASSERT_CLOSE(l.pt[v][1], c[1], 1e-10);
+    }
+    release_all(m, &l);
+}
+
 /* The axis of the circle through three points, across the box; none if they are
  * on one line. */
 static void three_points(void **state)
@@ -295,7 +490,7 @@ static void expect(const ix_mv *const m[3], double tol, ix_status st,
 
 static void refused(void **state)
 {
-    ix_mv *p = point(0, 0, 0), *c = curve(1), *t, *flat;
+    ix_mv *p = point(0, 0, 0), *c = curve(1), *t, *flat, *thin;
     const ix_mv *m[3] = {p, p, c}, *points[3] = {p, p, p};
 
     (void)state;
@@ -307,10 +502,14 @@ static void refused(void **state)
     ASSERT_OK(ctx, ix_mv_coerce(ctx, c, 1, false, &flat));
     m[1] = flat;
     expect(m, 0, IX_EARG, "operand 2 has 1 directions and 1 coordinates");
+    ASSERT_OK(ctx, ix_mv_promote(ctx, c, 2, 0, &thin));
+    m[1] = thin;
+    expect(m, 0, IX_EDOMAIN, "operand 2 does not change in direction 2");
     ix_mv_unref(ctx, p);
     ix_mv_unref(ctx, c);
     ix_mv_unref(ctx, t);
     ix_mv_unref(ctx, flat);
+    ix_mv_unref(ctx, thin);
 }
 
 typedef struct {
@@ -372,6 +571,8 @@ int main(void)
         cmocka_unit_test(feet_are_equally_far),
         cmocka_unit_test(three_planes),
         cmocka_unit_test(point_and_two_planes),
+        cmocka_unit_test(closed_forms_are_covered),
+        cmocka_unit_test(spherical_octants),
         cmocka_unit_test(three_points),
         cmocka_unit_test(refused),
         cmocka_unit_test(memory_may_fail),
