@@ -41,21 +41,6 @@ typedef struct {
         fail_msg("%s, pair %d", (p)->kind, (p)->pair); \
     } while (0)
 
-/* d(x, first) - d(x, second), at least its sign. */
-static inline double sign_at(const problem *p, const double x[2])
-{
-    truth_foot f[2];
-    double low[2];
-
-    for (int k = 0; k < 2; k++)
-        f[k] = truth_nearest(&p->set[k], x, true, &low[k]);
-    if (low[0] > f[1].d)
-        return 1;
-    if (low[1] > f[0].d)
-        return -1;
-    return truth_distance(&p->set[0], x) - truth_distance(&p->set[1], x);
-}
-
 /* --- soundness -------------------------------------------------------------
  */
 
@@ -229,7 +214,7 @@ static inline void check_between(const problem *p, const double u[2],
 
         for (int k = 0; k < 2; k++)
             q[k] = u[k] + m * (v[k] - u[k]);
-        if (sign_at(p, q) * at_u < 0)
+        if (truth_difference(p->set, q) * at_u < 0)
             hi = m;
         else
             lo = m;
@@ -262,7 +247,7 @@ static inline void check_grid(const problem *p, const double mid[2], double h,
             double q[2], r[2];
 
             grid_point(mid, h, n, i, j, q);
-            f[j * (n + 1) + i] = sign_at(p, q);
+            f[j * (n + 1) + i] = truth_difference(p->set, q);
             for (int k = 0; k < 2; k++) {
                 int a = i - (k == 0), b = j - (k == 1);
                 double last, now = f[j * (n + 1) + i];

@@ -231,6 +231,21 @@ static inline double truth_distance(const truth_set *s, const double q[2])
     return truth_nearest(s, q, false, NULL).d;
 }
 
+/* d(x, first) - d(x, second), at least its sign. */
+static inline double truth_difference(const truth_set s[2], const double x[2])
+{
+    truth_foot f[2];
+    double low[2];
+
+    for (int k = 0; k < 2; k++)
+        f[k] = truth_nearest(&s[k], x, true, &low[k]);
+    if (low[0] > f[1].d)
+        return 1;
+    if (low[1] > f[0].d)
+        return -1;
+    return truth_distance(&s[0], x) - truth_distance(&s[1], x);
+}
+
 /* Its parameter on the user's curve. */
 static inline double truth_parameter(const truth_set *s, const truth_foot *f)
 {

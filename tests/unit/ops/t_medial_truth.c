@@ -559,16 +559,18 @@ static double largest(const problem *p, const double c[2], const double n[2],
 }
 
 /* Law: the largest circle inside that touches at c is on the axis. Where it is
- * nearly that of curvature its radius is not known well: then some of those
- * that may be it. */
+ * nearly that of curvature its radius is not known well (the depth grows with
+ * the second to fourth power of what is too much): then some of those that may
+ * be it. */
 static void check_largest(const problem *p, const double c[2],
                           const double n[2])
 {
     double lo = largest(p, c, n, 1e-12 * p->size), best = INFINITY;
     double hi = largest(p, c, n, 1e-10 * p->size);
+    int steps;
 
-    int steps = 1 + (int)((hi - lo) / (OFF * p->size));
-
+    lo -= 0.5 * (hi - lo);
+    steps = 1 + (int)((hi - lo) / (OFF * p->size));
     for (int i = 0; i <= steps && best > OFF * p->size; i++) {
         double r = lo + (hi - lo) * i / steps;
         double x[2] = {c[0] + r * n[0], c[1] + r * n[1]};
@@ -581,21 +583,37 @@ static void check_largest(const problem *p, const double c[2],
               c[0], c[1], lo, hi, c[0] + lo * n[0], c[1] + lo * n[1], best);
 }
 
+/* Along the arc, of any length. */
+static void tangent(const truth_arc *a, double u, double out[2])
+{
+    double b[3][2], p[ARC_DEGREE + 1];
+
+    for (int k = 0; k < 3; k++) {
+        memcpy(p, a->c[k], sizeof p);
+        for (int n = a->degree; n > 1; n--)
+            for (int i = 0; i < n; i++)
+                p[i] += u * (p[i + 1] - p[i]);
+        b[k][0] = p[0] + u * (p[1] - p[0]);
+        b[k][1] = p[1] - p[0];
+    }
+    for (int k = 0; k < 2; k++)
+        out[k] = b[k + 1][1] - b[0][1] * (b[k + 1][0] / b[0][0]);
+}
+
 /* A place of the border and the normal there, inwards; false near a corner. */
 static bool border(const problem *p, int arc, double u, double c[2],
                    double n[2])
 {
     const truth_arc *a = &p->set.arc[arc];
-    double x[2], y[2], l, h = 1e-5;
+    double x[2], t[2], l;
 
     truth_at(a, u, c);
-    truth_at(a, u - h, x);
-    truth_at(a, u + h, y);
-    l = truth_dist(x, y);
+    tangent(a, u, t);
+    l = hypot(t[0], t[1]);
     if (!(l > 0))
         return false;
-    n[0] = (x[1] - y[1]) / l;
-    n[1] = (y[0] - x[0]) / l;
+    n[0] = -t[1] / l;
+    n[1] = t[0] / l;
     x[0] = c[0] + 1e-3 * p->size * n[0];
     x[1] = c[1] + 1e-3 * p->size * n[1];
     if (truth_distance(&p->set, x) < 0.99e-3 * p->size)
@@ -625,9 +643,12 @@ static void check_complete(const problem *p, ix_rng *r, int count)
         f = truth_nearest(&p->set, q, false, NULL);
         if (!(f.d > 1e-3 * p->size))
             continue;
-        for (int k = 0; k < 2; k++)
-            n[k] = (q[k] - f.x[k]) / f.d;
-        check_largest(p, f.x, n);
+        if (!(f.u > 1e-6 && f.u < 1 - 1e-6)) { /* a corner's fan */
+            for (int k = 0; k < 2; k++)
+                n[k] = (q[k] - f.x[k]) / f.d;
+            check_largest(p, f.x, n);
+        } else if (border(p, f.arc, f.u, c, n)) /* feet are known to 1e-8 */
+            check_largest(p, c, n);
     }
 }
 
