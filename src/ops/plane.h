@@ -29,16 +29,20 @@
 #define IX__DEPTH     1e-14
 #define IX__OWN_DEPTH 4e-14
 
+/* Places of a span that a search begins with. */
+enum { IX__SEEN = 8 };
+
 typedef struct {
     int degree;
-    const double *p;      /* [3][degree + 1] of w, wx, wy, scaled Bernstein */
-    double weight;        /* largest Bernstein coefficient of w */
-    double box[2][2];     /* of the control points, lo and hi */
-    bool boxed;           /* weights of one sign: the box holds the span */
-    bool phantom;         /* of the carrier, not of the curve */
-    double t[2];          /* the user's parameters of both ends */
-    double x[2][2];       /* end points */
-    double tangent[2][2]; /* unit tangents there, towards growing t */
+    const double *p;  /* [3][degree + 1] of w, wx, wy, scaled Bernstein */
+    double weight;    /* largest Bernstein coefficient of w */
+    double box[2][2]; /* of the control points, lo and hi */
+    bool boxed;       /* weights of one sign: the box holds the span */
+    bool phantom;     /* of the carrier, not of the curve */
+    double t[2];      /* the user's parameters of both ends */
+    double x[2][2];   /* end points */
+    double seen[IX__SEEN][2]; /* points inside, evenly in u */
+    double tangent[2][2];     /* unit tangents there, towards growing t */
     int curve, strand;
     int vertex[2]; /* at both ends; -1: a smooth joint */
 } ix__span;
@@ -133,6 +137,8 @@ void ix__set_touch_near(const ix__set *s, const double c[2], const double n[2],
  * a place where the circle that came in touches. True if there was one. */
 bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
                     double depth, ix__touch *io);
+/* Is a point of the set no farther from x than d > 0? */
+bool ix__set_near(const ix__set *s, const double x[2], double d);
 /* Distance of x from the set; the place in *at unless that is NULL. */
 double ix__set_distance(const ix__set *s, const double x[2], ix__touch *at);
 

@@ -192,7 +192,7 @@ static bool on_both(const ix__walk *w, const ix__sample *o)
 {
     if (w->own == w->other)
         return false;
-    if (ix__set_distance(w->other, o->c, NULL) <= COMMON)
+    if (ix__set_near(w->other, o->c, COMMON))
         return true;
     return ix__near_feet(o) && !separates(w, o);
 }

@@ -174,6 +174,12 @@ static void finish_span(ix__span *sp)
     }
     sp->weight = fmax(hi, -lo);
     sp->boxed = lo > 0.0 || hi < 0.0;
+    for (int j = 0; j < IX__SEEN; j++) {
+        double at[3][2];
+
+        ix__span_at(NULL, sp, (j + 0.5) / IX__SEEN, at);
+        memcpy(sp->seen[j], at[0], sizeof at[0]);
+    }
     for (int e = 0; e < 2; e++) {
         int i = e ? d : 0;
 

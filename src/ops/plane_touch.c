@@ -23,6 +23,9 @@ enum { MAX_STEPS = 100 };
  * more rounding than the depth that is looked for. */
 #define MAX_RADII 16.0
 #define ROUNDING  1e-15
+/* What the search for a distance may begin with is as much less, squared, than
+ * that of a point that was seen. */
+#define SEEN_LESS 1e-9
 
 typedef struct {
     const ix__span *sp;
@@ -89,6 +92,54 @@ static void halve(int n, double *c, double *left)
         for (int i = 0; i < n - j; i++)
             c[i] = 0.5 * (c[i] + c[i + 1]);
     }
+}
+
+/* --- boxes -----------------------------------------------------------------
+ */
+
+/* False if the box, as seen from c, is outside the circle or half plane of the
+ * present k. */
+static bool box_in_reach(const search *s, const double lo[2],
+                         const double hi[2])
+{
+    double d2 = 0.0, far = 0.0, k = s->k;
+
+    for (int i = 0; i < 2; i++) {
+        double n = s->distance ? 0.0 : s->n[i], gap;
+
+        far += n * (n > 0.0 ? hi[i] : lo[i]);
+        if (s->distance)
+            gap = fmax(lo[i], -hi[i]);
+        else
+            gap = fmax(k * lo[i] - n, n - k * hi[i]);
+        gap = fmax(gap, 0.0);
+        d2 += gap * gap;
+    }
+    if (s->distance)
+        return k * d2 <= 1.0 + 1e-12;
+    return far > 0.0 && d2 <= 1.0 + 1e-12;
+}
+
+/* The same for the part with control points p. */
+static bool part_in_reach(const search *s, const double *p)
+{
+    double lo[2], hi[2];
+    int d = s->d;
+
+    if (!s->sp->boxed)
+        return true;
+    for (int k = 0; k < 2; k++) {
+        const double *x = p + (k + 1) * (d + 1);
+
+        lo[k] = hi[k] = x[0] / p[0];
+        for (int i = 1; i <= d; i++) {
+            double v = x[i] / p[i];
+
+            lo[k] = v < lo[k] ? v : lo[k];
+            hi[k] = v > hi[k] ? v : hi[k];
+        }
+    }
+    return box_in_reach(s, lo, hi);
 }
 
 /* --- one part of a span ----------------------------------------------------
@@ -200,7 +251,8 @@ static double least(const search *s)
         next = v - d1 / d2;
         if (!(next > lo && next < hi))
             next = 0.5 * (lo + hi);
-        if (fabs(next - v) <= 1e-16 || next <= lo || next >= hi)
+        /* the next step would be its square */
+        if (fabs(next - v) <= 1e-9 || next <= lo || next >= hi)
             return next;
         v = next;
     }
@@ -229,7 +281,8 @@ static bool solve_convex(search *s, const double *p, double u0, double u1)
     int n = 2 * s->d;
 
     for (int i = 0; i < MAX_STEPS; i++) {
-        double v, k, va, last = s->u;
+        double v, k, va;
+        bool more;
 
         if (fill(s) >= -s->limit && i == 0)
             return true;
@@ -244,12 +297,13 @@ static bool solve_convex(search *s, const double *p, double u0, double u1)
         va = value(n, s->a, v);
         k = va > 0.0 ? value(n, s->b, v) / va : (double)INFINITY;
         if (!(radii(s, p, k) <= MAX_RADII))
-            return false; /* a is rounding there */
-        if (i == 0 || k > s->k)
+            return false;          /* a is rounding there */
+        more = i == 0 || k > s->k; /* else: all digits */
+        if (more)
             s->k = k;
         s->found = s->span;
         s->u = u0 + v * (u1 - u0);
-        if (done(s) || (i > 0 && fabs(s->u - last) <= 1e-16))
+        if (done(s) || !more)
             return true;
     }
     return false;
@@ -261,7 +315,7 @@ static void part(search *s, double *p, double u0, double u1, int depth)
     double *left = s->room + (size_t)depth * 3 * (size_t)(d + 1);
     double um = 0.5 * (u0 + u1);
 
-    if (done(s) || !isfinite(s->k))
+    if (done(s) || !isfinite(s->k) || !part_in_reach(s, p))
         return;
     load(s, p);
     if (hopeless(s, radii(s, p, s->k)))
@@ -335,23 +389,15 @@ static search prepare(const double c[2], double k, double tol)
 /* --- circles ---------------------------------------------------------------
  */
 
-/* False if the box is outside the circle (k > 0) or half plane. */
-static bool in_reach(const ix__span *sp, const double c[2], const double n[2],
-                     double k)
+static bool in_reach(const search *s, const ix__span *sp)
 {
-    double d2 = 0.0, far = 0.0;
+    double lo[2], hi[2];
 
-    if (!sp->boxed)
-        return true;
     for (int i = 0; i < 2; i++) {
-        double lo = sp->box[0][i] - c[i], hi = sp->box[1][i] - c[i];
-        double m = n[i] > 0.0 ? hi : lo, gap;
-
-        far += n[i] * m;
-        gap = fmax(fmax(k * lo - n[i], n[i] - k * hi), 0.0);
-        d2 += gap * gap;
+        lo[i] = sp->box[0][i] - s->c[i];
+        hi[i] = sp->box[1][i] - s->c[i];
     }
-    return far > 0.0 && d2 <= 1.0 + 1e-12;
+    return !sp->boxed || box_in_reach(s, lo, hi);
 }
 
 /* k at u and the step to where it is stationary; h is |v|^4 / 2 times its
@@ -448,14 +494,56 @@ static void begin_near(const ix__set *set, const ix__touch *foot, search *s)
     }
 }
 
+static void run_all(const ix__set *set, search *s)
+{
+    for (int i = 0; i < set->nspans && !done(s) && isfinite(s->k); i++)
+        if (in_reach(s, &set->span[i]))
+            run(s, set, i);
+}
+
+/* A value that is a little less than that of the best point that was seen: the
+ * search has to find that and better ones itself, so that the same point wins
+ * wherever it begins. */
+static double seen_least(const ix__set *set, const search *s)
+{
+    double best = s->k;
+
+    for (int i = 0; i < set->nspans; i++)
+        for (int j = 0; j < IX__SEEN; j++) {
+            const double *x = set->span[i].seen[j];
+            double v[2] = {x[0] - s->c[0], x[1] - s->c[1]};
+            double a = v[0] * v[0] + v[1] * v[1];
+            double b = s->distance ? 1.0 - SEEN_LESS
+                                   : 2.0 * (s->n[0] * v[0] + s->n[1] * v[1]) -
+                                         4.0 * s->tol;
+
+            if (b > best * a && a > 0.0 && isfinite(b / a))
+                best = b / a;
+        }
+    return best;
+}
+
+static void run_from_seen(const ix__set *set, search *s)
+{
+    double k = s->k;
+
+    s->k = seen_least(set, s);
+    run_all(set, s);
+    if (s->found >= 0 || s->k == k)
+        return;
+    s->k = k; /* rounding, or weights */
+    run_all(set, s);
+}
+
 static bool touch(const ix__set *set, const ix__touch *foot, search *s,
                   ix__touch *io)
 {
     if (foot)
         begin_near(set, foot, s);
-    for (int i = 0; i < set->nspans && !done(s); i++)
-        if (in_reach(&set->span[i], s->c, s->n, s->k))
-            run(s, set, i);
+    if (s->any || s->found >= 0)
+        run_all(set, s);
+    else
+        run_from_seen(set, s);
     if (s->found < 0)
         return false;
     if (!s->any && isfinite(s->k))
@@ -494,30 +582,22 @@ bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
 /* --- distance --------------------------------------------------------------
  */
 
-static bool nearer(const ix__span *sp, const double x[2], double k)
-{
-    double d2 = 0.0;
-
-    if (!sp->boxed)
-        return true;
-    for (int i = 0; i < 2; i++) {
-        double gap = fmax(fmax(sp->box[0][i] - x[i], x[i] - sp->box[1][i]),
-                          0.0);
-
-        d2 += gap * gap;
-    }
-    return k * d2 <= 1.0 + 1e-12;
-}
-
 double ix__set_distance(const ix__set *set, const double x[2], ix__touch *at)
 {
     search s = prepare(x, 0.0, ROUNDING);
 
     s.distance = true;
-    for (int i = 0; i < set->nspans && isfinite(s.k); i++)
-        if (nearer(&set->span[i], x, s.k))
-            run(&s, set, i);
+    run_from_seen(set, &s);
     if (at)
         *at = (ix__touch){s.k, s.found, s.u};
     return s.found < 0 ? (double)INFINITY : 1.0 / sqrt(s.k);
+}
+
+bool ix__set_near(const ix__set *set, const double x[2], double d)
+{
+    search s = prepare(x, 1.0 / (d * d), ROUNDING);
+
+    s.distance = s.any = true;
+    run_all(set, &s);
+    return s.found >= 0;
 }

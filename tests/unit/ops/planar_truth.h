@@ -131,60 +131,118 @@ static inline truth_set truth_of(ix_ctx *ctx, int n, const ix_mv *const *crv)
     return s;
 }
 
-/* Golden section over [lo, hi]. */
+typedef struct {
+    double u, x[2], d;
+} truth_place;
+
+static inline truth_place truth_place_at(const truth_arc *a, const double q[2],
+                                         double u)
+{
+    truth_place p = {.u = u};
+
+    truth_at(a, u, p.x);
+    p.d = truth_dist(p.x, q);
+    return p;
+}
+
+/* Can a nearer point than d lie between two places? Lengths are chords and a
+ * fifth more. */
+static inline bool truth_may_hold(const truth_place *a, const truth_place *b,
+                                  double d)
+{
+    return 0.5 * (a->d + b->d - 1.2 * truth_dist(a->x, b->x)) <= d;
+}
+
+/* Golden section between the places p[0] and p[3], as long as it may hold a
+ * nearer point. */
 static inline void truth_golden(const truth_arc *a, const double q[2],
-                                double lo, double hi, truth_foot *f, int index)
+                                truth_place p[4], truth_foot *f, int index)
 {
     const double g = 0.6180339887498949;
-    double u[2] = {hi - g * (hi - lo), lo + g * (hi - lo)}, x[2][2], d[2];
 
-    for (int k = 0; k < 2; k++) {
-        truth_at(a, u[k], x[k]);
-        d[k] = truth_dist(x[k], q);
-    }
+    p[1] = truth_place_at(a, q, p[3].u - g * (p[3].u - p[0].u));
+    p[2] = truth_place_at(a, q, p[0].u + g * (p[3].u - p[0].u));
     /* where the curve passes through q the distance is no parabola, but an
        angle: as many more steps as its square has digits */
-    for (int i = 0; i < 34 || (i < 60 && fmin(d[0], d[1]) < 1e-6); i++) {
-        int k = d[0] < d[1] ? 1 : 0; /* the one that is replaced */
-
-        if (k) {
-            hi = u[1];
-            u[1] = u[0];
-            u[0] = hi - g * (hi - lo);
-            d[1] = d[0];
-            memcpy(x[1], x[0], sizeof x[0]);
+    for (int i = 0; i < 34 || (i < 60 && fmin(p[1].d, p[2].d) < 1e-6); i++) {
+        if (!truth_may_hold(&p[0], &p[1], f->d) &&
+            !truth_may_hold(&p[1], &p[2], f->d) &&
+            !truth_may_hold(&p[2], &p[3], f->d))
+            return;
+        if (p[1].d < p[2].d) {
+            p[3] = p[2];
+            p[2] = p[1];
+            p[1] = truth_place_at(a, q, p[3].u - g * (p[3].u - p[0].u));
         } else {
-            lo = u[0];
-            u[0] = u[1];
-            u[1] = lo + g * (hi - lo);
-            d[0] = d[1];
-            memcpy(x[0], x[1], sizeof x[0]);
+            p[0] = p[1];
+            p[1] = p[2];
+            p[2] = truth_place_at(a, q, p[0].u + g * (p[3].u - p[0].u));
         }
-        truth_at(a, u[1 - k], x[1 - k]);
-        d[1 - k] = truth_dist(x[1 - k], q);
     }
-    for (int k = 0; k < 2; k++)
-        if (d[k] < f->d)
-            *f = (truth_foot){d[k], {x[k][0], x[k][1]}, index, u[k]};
+    for (int k = 1; k < 3; k++)
+        if (p[k].d < f->d)
+            *f = (truth_foot){p[k].d, {p[k].x[0], p[k].x[1]}, index, p[k].u};
 }
 
 /* Intervals that may hold less, in quarters. */
 static inline void truth_interval(const truth_arc *a, const double q[2], int i,
                                   truth_foot *f, int index)
 {
-    double x[5][2], d[5];
+    truth_place p[5];
 
     for (int j = 0; j <= 4; j++) {
-        truth_at(a, (i + 0.25 * j) / ARC_SAMPLES, x[j]);
-        d[j] = truth_dist(x[j], q);
-        if (d[j] < f->d)
-            *f = (truth_foot){
-                d[j], {x[j][0], x[j][1]}, index, (i + 0.25 * j) / ARC_SAMPLES};
+        p[j] = truth_place_at(a, q, (i + 0.25 * j) / ARC_SAMPLES);
+        if (p[j].d < f->d)
+            *f = (truth_foot){p[j].d, {p[j].x[0], p[j].x[1]}, index, p[j].u};
     }
     for (int j = 0; j < 4; j++)
-        if (0.5 * (d[j] + d[j + 1] - a->quarter[4 * i + j]) <= f->d)
-            truth_golden(a, q, (i + 0.25 * j) / ARC_SAMPLES,
-                         (i + 0.25 * (j + 1)) / ARC_SAMPLES, f, index);
+        if (truth_may_hold(&p[j], &p[j + 1], f->d)) {
+            truth_place at[4] = {[0] = p[j], [3] = p[j + 1]};
+
+            truth_golden(a, q, at, f, index);
+        }
+}
+
+static inline double truth_box_gap(const truth_arc *a, const double q[2])
+{
+    double gap[2];
+
+    for (int k = 0; k < 2; k++) {
+        gap[k] = a->box[0][k] - q[k];
+        if (gap[k] < q[k] - a->box[1][k])
+            gap[k] = q[k] - a->box[1][k];
+        if (gap[k] < 0)
+            gap[k] = 0;
+    }
+    return sqrt(gap[0] * gap[0] + gap[1] * gap[1]);
+}
+
+/* Of the samples of an arc: all distances in d, the nearest in *f if it is
+ * nearer than that, and what no point of it can be below. */
+static inline double truth_samples(const truth_arc *a, int index,
+                                   const double q[2], double *d, truth_foot *f)
+{
+    double least = INFINITY;
+    int best = -1;
+
+    for (int j = 0; j <= ARC_SAMPLES; j++) {
+        d[j] = truth_dist(a->x[j], q);
+        if (d[j] < f->d) {
+            f->d = d[j];
+            best = j;
+        }
+    }
+    for (int j = 0; j < ARC_SAMPLES; j++) {
+        double low = 0.5 * (d[j] + d[j + 1] - a->len[j]);
+
+        least = low < least ? low : least;
+    }
+    if (best >= 0)
+        *f = (truth_foot){d[best],
+                          {a->x[best][0], a->x[best][1]},
+                          index,
+                          (double)best / ARC_SAMPLES};
+    return least;
 }
 
 /* The nearest point of the whole set; rough: of the samples only, and in *low
@@ -193,34 +251,21 @@ static inline truth_foot truth_nearest(const truth_set *s, const double q[2],
                                        bool rough, double *low)
 {
     truth_foot f = {.d = INFINITY};
-    double least = INFINITY;
+    double least = INFINITY, d[ARC_SAMPLES + 1];
 
-    for (int pass = 0; pass < (rough ? 1 : 2); pass++)
-        for (int i = 0; i < s->narcs; i++) {
-            const truth_arc *a = &s->arc[i];
-            double gap[2], d, last;
+    for (int i = 0; i < s->narcs; i++)
+        if (truth_box_gap(&s->arc[i], q) <= f.d)
+            least = fmin(least, truth_samples(&s->arc[i], i, q, d, &f));
+    for (int i = 0; i < s->narcs && !rough; i++) {
+        const truth_arc *a = &s->arc[i];
+        truth_foot none = {.d = 0};
 
-            for (int k = 0; k < 2; k++)
-                gap[k] = fmax(fmax(a->box[0][k] - q[k], q[k] - a->box[1][k]),
-                              0);
-            if (hypot(gap[0], gap[1]) > f.d)
-                continue;
-            last = truth_dist(a->x[0], q);
-            if (pass == 0 && last < f.d)
-                f = (truth_foot){last, {a->x[0][0], a->x[0][1]}, i, 0};
-            for (int j = 0; j < ARC_SAMPLES; j++) {
-                d = truth_dist(a->x[j + 1], q);
-                least = fmin(least, 0.5 * (d + last - a->len[j]));
-                if (pass == 0 && d < f.d)
-                    f = (truth_foot){d,
-                                     {a->x[j + 1][0], a->x[j + 1][1]},
-                                     i,
-                                     (j + 1.0) / ARC_SAMPLES};
-                if (pass == 1 && 0.5 * (d + last - a->len[j]) <= f.d)
-                    truth_interval(a, q, j, &f, i);
-                last = d;
-            }
-        }
+        if (truth_box_gap(a, q) > f.d || truth_samples(a, i, q, d, &none) > f.d)
+            continue;
+        for (int j = 0; j < ARC_SAMPLES; j++)
+            if (0.5 * (d[j] + d[j + 1] - a->len[j]) <= f.d)
+                truth_interval(a, q, j, &f, i);
+    }
     if (low)
         *low = fmin(least, f.d);
     return f;

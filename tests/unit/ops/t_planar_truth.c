@@ -2,7 +2,7 @@
  * of both curves and against what its topology must be.
  *
  * IX_TEST_ROUNDS=200 tries that many pairs of each kind, and more closely; then
- * IX_TEST_KIND=10 may choose one kind. By default one pair of each, 0.3 s on an
+ * IX_TEST_KIND=10 may choose one kind. By default one pair of each, 0.4 s on an
  * idle machine: no kind can be left out. */
 #include "planar_check.h"
 #include "planar_pairs.h"
@@ -42,8 +42,8 @@ static void check(ix_ctx *ctx, int kind, int pair)
  * at the region behind a common end and goes to infinity. */
 static void found(void **state)
 {
-    static const int which[][2] = {{0, 287}, {5, 1028}, {12, 3},
-                                   {18, 0},  {16, 15},  {6, 31}};
+    static const int which[][2] = {
+        {0, 287}, {5, 1028}, {12, 3}, {16, 15}, {16, 50}, {6, 31}};
 
     (void)state;
     for (size_t i = 0; i < sizeof which / sizeof *which; i++) {
@@ -77,7 +77,7 @@ static long at_tolerance(ix_ctx *ctx, problem *p, const ix_mv *const *a,
 
 static void tolerances(void **state)
 {
-    static const double tol[] = {1e-4, 1e-6, 1e-8};
+    static const double tol[] = {1e-4, 1e-6, 3e-8};
     ix_ctx *ctx = ix_ctx_new(NULL, NULL);
     problem p = {.ctx = ctx, .kind = "tolerance", .pair = 2};
     long n, before = 0;
