@@ -46,7 +46,7 @@ static double dist(const double *a, const double *b)
 }
 
 /* Through three points. */
-static void carrier_through(double p[3][2], carrier *c)
+static void carrier_through(double p[3][2], double noise, carrier *c)
 {
     double e[2], f[2], n, ee, ff;
 
@@ -60,7 +60,7 @@ static void carrier_through(double p[3][2], carrier *c)
     if (!(ff > 0))
         return;
     memcpy(c->o, p[0], sizeof c->o);
-    if (fabs(n) <= SAME * ff) {
+    if (fabs(n) <= SAME * ff + noise * sqrt(ff)) {
         c->kind = LINE;
         c->normal[0] = -f[1] / sqrt(ff);
         c->normal[1] = f[0] / sqrt(ff);
@@ -104,7 +104,7 @@ static int spans_around(const ix_mv *crv, const double t[2], double out[2])
 /* Of whole spans: a short part of any curve is an arc up to rounding. A
  * polynomial of degree 2 d that is zero in 2 d + 1 points is zero. */
 static ix_status carrier_of(ix_ctx *ctx, const ix_mv *crv, const double t[2],
-                            carrier *c)
+                            double noise, carrier *c)
 {
     double p[3][2], x[2], s[2], far = 0, worst = 0;
     int n = (2 * crv->dirs[0].order - 1) * spans_around(crv, t, s);
@@ -116,14 +116,13 @@ static ix_status carrier_of(ix_ctx *ctx, const ix_mv *crv, const double t[2],
         IX_TRY(ix_mv_point(ctx, crv, &at, p[i]));
         far = fmax(far, dist(p[0], p[i]));
     }
-    carrier_through(p, c);
+    carrier_through(p, noise, c);
     for (int i = 0; i <= n && c->kind != OTHER; i++) {
         double at = s[0] + (s[1] - s[0]) * i / n;
 
         IX_TRY(ix_mv_point(ctx, crv, &at, x));
         worst = fmax(worst, off_carrier(c, x));
-        if (!(worst <= SAME * far + ULPS * hypot(x[0], x[1])) ||
-            !(worst <= ROUGH * far))
+        if (!(worst <= SAME * far + noise) || !(worst <= ROUGH * far))
             c->kind = OTHER;
     }
     return IX_OK;
@@ -135,6 +134,7 @@ static ix_status carrier_of(ix_ctx *ctx, const ix_mv *crv, const double t[2],
 /* The points q + d e with d (a - b.e) = k, e being unit vectors. */
 typedef struct {
     double q[2], a, b[2], k;
+    double from[2]; /* where they are seen from */
 } focal;
 
 /* The bisector of circle o and of c, near x. With d = |x - q|, q the centre of
@@ -167,7 +167,7 @@ static void focal_of(const carrier *o, const carrier *c, const double x[2],
 
 static double angle_at(const focal *f, const double x[2])
 {
-    return atan2(x[1] - f->q[1], x[0] - f->q[0]);
+    return atan2(x[1] - f->from[1] - f->q[1], x[0] - f->from[0] - f->q[0]);
 }
 
 /* The direction towards infinity that is near that of dir. */
@@ -258,11 +258,13 @@ static ix_status make(ix_ctx *ctx, const focal *f, const ix_bisector_piece *p,
 
 ix_status ix__bisector_conic(ix_ctx *ctx, const ix_mv *const crv[2],
                              double t[2][2], const ix_bisector_piece *p,
-                             bool *straight, ix_mv **out)
+                             const double q[2], bool *straight, ix_mv **out)
 {
     const double *mid = p->x + 2 * (p->n / 2);
+    const double x[2] = {mid[0] - q[0], mid[1] - q[1]};
+    double noise = ULPS * hypot(q[0], q[1]);
+    focal f = {.from = {q[0], q[1]}};
     carrier c[2];
-    focal f;
     int i;
 
     *straight = false;
@@ -270,7 +272,7 @@ ix_status ix__bisector_conic(ix_ctx *ctx, const ix_mv *const crv[2],
     for (int k = 0; k < 2; k++) {
         if (t[k][0] == t[k][1])
             return IX_OK;
-        IX_TRY(carrier_of(ctx, crv[k], t[k], &c[k]));
+        IX_TRY(carrier_of(ctx, crv[k], t[k], noise, &c[k]));
         if (c[k].kind == OTHER)
             return IX_OK;
     }
@@ -278,7 +280,7 @@ ix_status ix__bisector_conic(ix_ctx *ctx, const ix_mv *const crv[2],
     if (*straight)
         return IX_OK;
     i = c[0].kind == CIRCLE ? 0 : 1;
-    focal_of(&c[i], &c[1 - i], mid, &f);
+    focal_of(&c[i], &c[1 - i], x, &f);
     *straight = c[1 - i].kind == CIRCLE && fabs(f.a) <= SAME * c[1 - i].rho;
     return *straight || f.k == 0 ? IX_OK : make(ctx, &f, p, out);
 }

@@ -340,18 +340,42 @@ static ix_status exact_rational(const maker *k, const ix__run *r,
 /* --- lines and circles -----------------------------------------------------
  */
 
+/* With crv seen from q. */
+static ix_status conic_from(const maker *k, const ix__run *r, const double q[2],
+                            ix_mv *const crv[2], bool *straight,
+                            ix_bisector_piece *p)
+{
+    const ix_mv *const both[2] = {crv[0], crv[1]};
+    double t[2][2];
+    ix_status st;
+    ix_mv *m;
+
+    for (int i = 0; i < 2; i++)
+        moving_feet(k, r, i, t[i]);
+    IX_TRY(ix__bisector_conic(k->ctx, both, t, p, q, straight, &m));
+    if (!m)
+        return IX_OK;
+    st = ix__plane_moved(k->ctx, m, 1.0, q, &p->exact);
+    ix_mv_unref(k->ctx, m);
+    return st;
+}
+
 static ix_status exact_conic(const maker *k, const ix__run *r,
                              ix_bisector_piece *p)
 {
-    const ix_mv *crv[2];
-    double t[2][2];
-    bool straight;
+    const double *q = p->x + 2 * (p->n / 2);
+    ix_mv *crv[2] = {NULL, NULL};
+    bool straight = false;
+    ix_status st = IX_OK;
 
-    for (int i = 0; i < 2; i++) {
-        crv[i] = k->obj[i].crv[p->curve[i]];
-        moving_feet(k, r, i, t[i]);
-    }
-    IX_TRY(ix__bisector_conic(k->ctx, crv, t, p, &straight, &p->exact));
+    for (int i = 0; i < 2 && st == IX_OK; i++)
+        st = ix__plane_moved(k->ctx, k->obj[i].crv[p->curve[i]], -1.0, q,
+                             &crv[i]);
+    if (st == IX_OK)
+        st = conic_from(k, r, q, crv, &straight, p);
+    for (int i = 0; i < 2; i++)
+        ix_mv_unref(k->ctx, crv[i]);
+    IX_TRY(st);
     return straight ? exact_straight(k, p) : IX_OK;
 }
 
