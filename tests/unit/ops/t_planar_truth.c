@@ -42,8 +42,8 @@ static void check(ix_ctx *ctx, int kind, int pair)
  * at the region behind a common end and goes to infinity. */
 static void found(void **state)
 {
-    static const int which[][2] = {
-        {0, 287}, {5, 1028}, {12, 3}, {16, 15}, {16, 50}, {6, 31}};
+    static const int which[][2] = {{0, 287}, {5, 1028}, {12, 3},
+                                   {16, 15}, {16, 50},  {6, 31}};
 
     (void)state;
     for (size_t i = 0; i < sizeof which / sizeof *which; i++) {
