@@ -53,20 +53,21 @@ IX__CLONES void ix__bern_unscale(size_t count, int d, size_t inner,
             BY_FOUR(inner, *ix__cvec(in + i) / row[k], in[i] / row[k]);
 }
 
-void ix__bern_elevate(int d, int e, const double *row, size_t inner,
-                      const double *in, double *out)
+static inline void add_multiple(size_t n, double f, const double *x,
+                                double *out)
+{
+    BY_FOUR(n, *ix__cvec(out + i) + f * *ix__cvec(x + i), out[i] + f * x[i]);
+}
+
+IX__CLONES void ix__bern_elevate(int d, int e, const double *row, size_t inner,
+                                 const double *in, double *out)
 {
     memset(out, 0, (size_t)(d + e + 1) * inner * sizeof *out);
-    for (int k = 0; k <= d; k++) {
-        const double *a = in + (size_t)k * inner;
-
-        for (int j = 0; j <= e; j++) {
-            double *o = out + (size_t)(k + j) * inner;
-
-            for (size_t i = 0; i < inner; i++)
-                o[i] += row[j] * a[i];
-        }
-    }
+    for (int k = 0; k <= d && inner == 1; k++)
+        add_multiple((size_t)e + 1, in[k], row, out + k);
+    for (int k = 0; k <= d && inner > 1; k++, in += inner, out += inner)
+        for (int j = 0; j <= e; j++)
+            add_multiple(inner, row[j], in, out + (size_t)j * inner);
 }
 
 void ix__bern_partial_u(int d, double f, size_t inner, const double *in,

@@ -182,7 +182,7 @@ static ix_status cross(ix_ctx *ctx, const ix_form *a, const ix_form *b,
     return ix__form_cross(ctx, a, b, out);
 }
 
-static ix_status polynomial_parts(ix_ctx *ctx, ix_curve *c)
+static ix_status polynomial_parts(ix_ctx *ctx, bool all, ix_curve *c)
 {
     wronskian w;
     double *error;
@@ -190,6 +190,8 @@ static ix_status polynomial_parts(ix_ctx *ctx, ix_curve *c)
     IX_TRY(coefficient_errors(ctx, c, &error));
     IX_TRY(ix__form_derive(ctx, &c->p, 0, &c->d));
     IX_TRY(ix__extents(ctx, &c->d, error, &c->ed));
+    if (!all)
+        return IX_OK;
     IX_TRY(wronskian_rows(ctx, &c->d, 1, error, &w));
     IX_TRY(cross(ctx, &w.row[0], &w.row[1], &c->v));
     ix__form_times(&c->v, w.factor);
@@ -216,23 +218,25 @@ static ix_status rational_normal(ix_ctx *ctx, const wronskian *w, int dim,
     return IX_OK;
 }
 
-static ix_status rational_parts(ix_ctx *ctx, ix_curve *c)
+static ix_status rational_parts(ix_ctx *ctx, bool all, ix_curve *c)
 {
     const ix_form *parts[2] = {&c->w, &c->local};
-    ix_form all, x[2], g[2];
+    ix_form wp, x[2], g[2];
     const ix_form *px[2] = {&x[1], &x[0]}, *pg[2] = {&g[1], &g[0]};
     wronskian w;
     double *error;
 
     IX_TRY(coefficient_errors(ctx, c, &error));
-    IX_TRY(ix__form_join(ctx, 2, parts, &all));
-    IX_TRY(wronskian_rows(ctx, &all, 1, error, &w));
+    IX_TRY(ix__form_join(ctx, 2, parts, &wp));
+    IX_TRY(wronskian_rows(ctx, &wp, 1, error, &w));
     columns(&w, 0, 1, g);
     columns(&w, 1, c->dim, x);
     IX_TRY(ix__form_bracket(ctx, px, pg, &c->d)); /* p' w_V - p_V w' */
     ix__form_times(&c->d, w.factor);
     IX_TRY(wronskian_extents(ctx, &w, &c->d, &c->ed));
-    IX_TRY(wronskian_rows(ctx, &all, 2, error, &w));
+    if (!all)
+        return IX_OK;
+    IX_TRY(wronskian_rows(ctx, &wp, 2, error, &w));
     IX_TRY(rational_normal(ctx, &w, c->dim, &c->v));
     return wronskian_extents(ctx, &w, &c->v, &c->ev);
 }
@@ -349,19 +353,17 @@ static bool in_plane(const ix_mv *m, double *z)
     return true;
 }
 
-/* A point within the box becomes the origin: differences from it are then exact
- * however near it is to the curve. */
-static void centre_frame(const double *at, ix_curve *c)
+static ix_status speed(ix_ctx *ctx, ix_curve *c)
 {
-    for (int k = 0; k < c->dim; k++)
-        if (!(fabs(ldexp(at[k] - c->frame.shift[k], -c->frame.exp)) <= 1.0))
-            return;
-    for (int k = 0; k < c->dim; k++)
-        c->frame.shift[k] = at[k];
-    c->frame.exp++;
-    c->frame.noise *= 0.5;
+    IX_TRY(ix__form_dot(ctx, &c->d, &c->d, &c->q));
+    IX_TRY(ix__extents(ctx, &c->q, NULL, &c->eq));
+    for (int j = 0; j < c->q.dirs[0].nspans; j++)
+        c->eq[j].error =
+            ix__extent_mul(c->ed[j], c->ed[j], c->q.dirs[0].degree).error * 3.0;
+    return IX_OK;
 }
 
+/* With an origin at, w, p and D only. */
 static ix_status load_forms(ix_ctx *ctx, const ix_mv *m, const double *at,
                             ix_curve *c)
 {
@@ -370,8 +372,7 @@ static ix_status load_forms(ix_ctx *ctx, const ix_mv *m, const double *at,
     int r = m->rational;
 
     IX_TRY(ix__frame_of(ctx, 1, &m, &c->frame));
-    if (at)
-        centre_frame(at, c);
+    c->centred = at && ix__frame_centre(&c->frame, c->dim, at);
     IX_TRY(ix__forms_load(ctx, 1, &m, &c->frame, &f));
     c->rational = r;
     c->degree = f.dirs[0].degree;
@@ -387,13 +388,8 @@ static ix_status load_forms(ix_ctx *ctx, const ix_mv *m, const double *at,
     IX_TRY(ix__extents(ctx, &c->w, NULL, &c->ew));
     for (int j = 0; j < f.dirs[0].nspans; j++)
         c->ew[j].error = r ? DBL_EPSILON * (c->degree + 2) : 0.0;
-    IX_TRY(r ? rational_parts(ctx, c) : polynomial_parts(ctx, c));
-    IX_TRY(ix__form_dot(ctx, &c->d, &c->d, &c->q));
-    IX_TRY(ix__extents(ctx, &c->q, NULL, &c->eq));
-    for (int j = 0; j < f.dirs[0].nspans; j++)
-        c->eq[j].error =
-            ix__extent_mul(c->ed[j], c->ed[j], c->q.dirs[0].degree).error * 3.0;
-    return IX_OK;
+    IX_TRY(r ? rational_parts(ctx, !at, c) : polynomial_parts(ctx, !at, c));
+    return at ? IX_OK : speed(ctx, c);
 }
 
 /* All weights are one number other than 0. */
@@ -407,14 +403,8 @@ static bool constant_weight(const ix_mv *m)
     return w[0] != 0.0;
 }
 
-ix_status ix__curve_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
-                         bool simplify, ix_curve *out)
-{
-    return ix__curve_load_at(ctx, crv, kind, NULL, simplify, out);
-}
-
-ix_status ix__curve_load_at(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
-                            const double *at, bool simplify, ix_curve *out)
+static ix_status load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
+                      const double *at, bool simplify, ix_curve *out)
 {
     ix_curve c = {.dim = crv->ncoords, .ncoords = crv->ncoords};
     bool rational = crv->rational;
@@ -439,4 +429,17 @@ ix_status ix__curve_load_at(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
     ix_mv_unref(ctx, m);
     *out = c;
     return st;
+}
+
+ix_status ix__curve_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
+                         bool simplify, ix_curve *out)
+{
+    return load(ctx, crv, kind, NULL, simplify, out);
+}
+
+ix_status ix__curve_load_tangent(ix_ctx *ctx, const ix_mv *crv,
+                                 ix__curve_kind kind, const double *at,
+                                 bool simplify, ix_curve *out)
+{
+    return load(ctx, crv, kind, at, simplify, out);
 }

@@ -39,6 +39,7 @@ typedef struct {
     ix_form d, v, q;
     ix_form t; /* only where ix__curve_torsion was asked to fill it in */
     ix_extent *ew, *ed, *ev, *eq, *et; /* [nspans] */
+    bool centred;
 } ix_curve;
 
 /* In the frame, with w, p, D, V, Q; constant weights count as polynomial if
@@ -51,11 +52,12 @@ typedef enum {
 } ix__curve_kind;
 ix_status ix__curve_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
                          bool simplify, ix_curve *out) IX_MUST_CHECK;
-/* The same with the point at[dim] as the origin, if it is in the box of the
- * curve; kind is not IX__CURVE. */
-ix_status ix__curve_load_at(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
-                            const double *at, bool simplify,
-                            ix_curve *out) IX_MUST_CHECK;
+/* Only w, p and D (V, Q and their extents are not set), with the point at[dim]
+ * as the origin (centred is set) if it is within twice the box of the curve;
+ * kind is not IX__CURVE. */
+ix_status ix__curve_load_tangent(ix_ctx *ctx, const ix_mv *crv,
+                                 ix__curve_kind kind, const double *at,
+                                 bool simplify, ix_curve *out) IX_MUST_CHECK;
 /* T; dim is 3. */
 ix_status ix__curve_torsion(ix_ctx *ctx, const ix_curve *c, ix_form *t,
                             ix_extent **et) IX_MUST_CHECK;

@@ -11,6 +11,9 @@ static ix_status relative(ix_ctx *ctx, ix_pt_crv *c)
 {
     ix_form q;
 
+    c->r = c->c.p;
+    if (c->c.centred)
+        return IX_OK;
     IX_TRY(ix__form_constant(ctx, &c->c.p, c->c.dim, c->q, &q));
     IX_TRY(ix__form_mul(ctx, &q, &c->c.w, &q));
     return ix__form_add(ctx, &c->c.p, -1, &q, &c->r);
@@ -54,7 +57,7 @@ ix_status ix__pt_crv_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
                            k + 1, q[k]);
     if (!isfinite(alpha))
         return IX_FAIL(ctx, IX_EARG, "a ratio of %g; it must be finite", alpha);
-    IX_TRY(ix__curve_load_at(ctx, crv, kind, q, simplify, &c.c));
+    IX_TRY(ix__curve_load_tangent(ctx, crv, kind, q, simplify, &c.c));
     for (int k = 0; k < dim; k++)
         c.q[k] = ldexp(q[k] - c.c.frame.shift[k], -c.c.frame.exp);
     IX_TRY(relative(ctx, &c));
@@ -93,14 +96,28 @@ ix_status ix__pt_crv_ruling(ix_ctx *ctx, const ix_pt_crv *c, ix_form *out)
     int d = c->c.degree;
     ix_form dp, pv, q, dq;
 
-    IX_TRY(ix__form_constant(ctx, &c->r, 3, c->q, &q));
-    IX_TRY(ix__form_cross(ctx, &c->c.d, &q, &dq));
     IX_TRY(ix__form_derive(ctx, &c->c.p, 0, &dp));
     IX_TRY(ix__form_partial(ctx, &c->c.p, 0, IX__V, &pv));
     IX_TRY(ix__form_cross(ctx, &dp, &pv, out));
     ix__form_times(out, d > 0 ? 1.0 / d : 0.0);
-    IX_TRY(ix__form_add(ctx, out, -1, &dq, out));
+    if (!c->c.centred) {
+        IX_TRY(ix__form_constant(ctx, &c->r, 3, c->q, &q));
+        IX_TRY(ix__form_cross(ctx, &c->c.d, &q, &dq));
+        IX_TRY(ix__form_add(ctx, out, -1, &dq, out));
+    }
     return ix__pt_crv_check(ctx, c, out);
+}
+
+ix_status ix__pt_crv_weigh(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *f,
+                           ix_form *out)
+{
+    ix_form own;
+
+    if (c->c.rational)
+        return ix__form_mul(ctx, f, &c->c.w, out);
+    IX_TRY(ix__form_copy(ctx, f, &own));
+    *out = own;
+    return IX_OK;
 }
 
 void ix__pt_crv_residual(const ix_probe *at, const double b[3],
@@ -128,6 +145,9 @@ ix_status ix__pt_crv_from_point(ix_ctx *ctx, const ix_pt_crv *c,
 {
     ix_form q;
 
+    *x = *n;
+    if (c->c.centred)
+        return IX_OK;
     IX_TRY(ix__form_constant(ctx, n, n->nrows, c->q, &q));
     IX_TRY(ix__form_mul(ctx, &q, w, &q));
     return ix__form_add(ctx, n, 1, &q, x);

@@ -33,7 +33,8 @@ ix_status ix__pt_crv_load(ix_ctx *ctx, const ix_mv *crv, ix__curve_kind kind,
 ix_status ix__pt_crv_check(ix_ctx *ctx, const ix_pt_crv *c,
                            const ix_form *cross) IX_MUST_CHECK;
 
-/* *x = n + w Q with the rows of n: over w, the point Q + n / w. */
+/* *x = n + w Q with the rows of n: over w, the point Q + n / w. *x may be n,
+ * with its coefficients. */
 ix_status ix__pt_crv_from_point(ix_ctx *ctx, const ix_pt_crv *c,
                                 const ix_form *n, const ix_form *w,
                                 ix_form *x) IX_MUST_CHECK;
@@ -42,6 +43,10 @@ ix_status ix__pt_crv_from_point(ix_ctx *ctx, const ix_pt_crv *c,
  * in space. Err as ix__pt_crv_check. */
 ix_status ix__pt_crv_ruling(ix_ctx *ctx, const ix_pt_crv *c,
                             ix_form *out) IX_MUST_CHECK;
+
+/* w f; a copy if w is 1. */
+ix_status ix__pt_crv_weigh(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *f,
+                           ix_form *out) IX_MUST_CHECK;
 
 /* What a point of a result has to satisfy, for ix__report_probed. */
 typedef struct {

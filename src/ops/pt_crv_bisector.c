@@ -26,7 +26,7 @@ static ix_status solved(ix_ctx *ctx, const ix_pt_crv *c, const ix_form *d,
     IX_TRY(ix__form_turned(ctx, &c->rr, d, &a));
     IX_TRY(ix__form_turned(ctx, &rd, &c->r, &b));
     IX_TRY(ix__form_add(ctx, &a, -1, &b, &a));
-    IX_TRY(ix__form_mul(ctx, &det, &c->c.w, &out->w));
+    IX_TRY(ix__pt_crv_weigh(ctx, c, &det, &out->w));
     return ix__pt_crv_from_point(ctx, c, &a, &out->w, &out->x);
 }
 

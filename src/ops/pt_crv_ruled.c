@@ -88,10 +88,12 @@ static ix_status minimal_planes(ix_ctx *ctx, const ix_pt_crv *c,
                                 const ix_form *ruling, const double n[3],
                                 ruled *out)
 {
-    ix_form w2, we;
+    ix_form w2, we = *ruling;
 
-    IX_TRY(ix__form_mul(ctx, &c->c.w, &c->c.w, &w2));
-    IX_TRY(ix__form_mul(ctx, ruling, &w2, &we));
+    if (c->c.rational) {
+        IX_TRY(ix__form_mul(ctx, &c->c.w, &c->c.w, &w2));
+        IX_TRY(ix__form_mul(ctx, ruling, &w2, &we));
+    }
     return by_planes(ctx, c, &c->c.d, &we, n, out);
 }
 
@@ -121,8 +123,8 @@ static ix_status minimal_directrix(ix_ctx *ctx, const ix_pt_crv *c,
     IX_TRY(ix__form_dot(ctx, ruling, ruling, &nn));
     IX_TRY(ix__form_mul(ctx, ruling, &nn, &out->r));
     ix__form_times(&out->r, -1.0);
-    IX_TRY(ix__form_mul(ctx, &nn, &c->c.w, &out->w));
-    IX_TRY(ix__form_mul(ctx, &out->w, &c->c.w, &out->w));
+    IX_TRY(ix__pt_crv_weigh(ctx, c, &nn, &out->w));
+    IX_TRY(ix__pt_crv_weigh(ctx, c, &out->w, &out->w));
     out->exp = c->c.frame.exp;
     return ix__pt_crv_from_point(ctx, c, &b, &out->w, &out->x);
 }
@@ -264,26 +266,45 @@ typedef struct {
     ix_op_opts o;
 } task;
 
-static ix_status build(ix_ctx *ctx, const task *k, ix_mv **out)
+/* Curve, point and rulings in their frame. */
+typedef struct {
+    ix_pt_crv c;
+    ix_form ruling;
+} loaded;
+
+static ix_status load(ix_ctx *ctx, const task *k, bool simplify, loaded *l)
+{
+    IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha,
+                           simplify, &l->c));
+    return ix__pt_crv_ruling(ctx, &l->c, &l->ruling);
+}
+
+static ix_status build_of(ix_ctx *ctx, const task *k, const loaded *l,
+                          ix_mv **out)
 {
     ix_join_rule rule = ix__join_rule(&k->o);
-    ix_form ruling, all;
+    const ix_pt_crv *c = &l->c;
+    ix_form all;
     ix_ruling r = k->r;
-    ix_pt_crv c;
     double dom[2];
     ruled f;
     const ix_form *parts[3] = {&f.w, &f.x, &f.r};
 
-    IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha,
-                           k->o.form == IX_FORM_MINIMAL, &c));
-    IX_TRY(ix__pt_crv_ruling(ctx, &c, &ruling));
-    fit_range(&c, &r);
+    fit_range(c, &r);
     ix_mv_domain(k->crv, 0, dom);
-    choose_normal(&ruling, dom, &r);
-    IX_TRY(solved(ctx, &c, k->o.form, &ruling, &r, &f));
+    choose_normal(&l->ruling, dom, &r);
+    IX_TRY(solved(ctx, c, k->o.form, &l->ruling, &r, &f));
     IX_TRY(ix__form_join(ctx, 3, parts, &all));
     rule.max_cont = k->o.max_cont; /* IRIT keeps continuity here */
-    return ix__ruled_store(ctx, &c.c, &all, f.exp, r.range, rule, out);
+    return ix__ruled_store(ctx, &c->c, &all, f.exp, r.range, rule, out);
+}
+
+static ix_status build(ix_ctx *ctx, const task *k, ix_mv **out)
+{
+    loaded l;
+
+    IX_TRY(load(ctx, k, k->o.form == IX_FORM_MINIMAL, &l));
+    return build_of(ctx, k, &l, out);
 }
 
 /* --- the report ------------------------------------------------------------
@@ -383,20 +404,14 @@ static void cut(const ix_form *ruling, const double range[2], int depth,
     out->n++;
 }
 
-static ix_status find_cuts(ix_ctx *ctx, task *k, cuts *out)
+static void find_cuts(task *k, const loaded *l, cuts *out)
 {
-    ix_form ruling;
-    ix_pt_crv c;
     double dom[2];
 
-    IX_TRY(ix__pt_crv_load(ctx, k->crv, IX__CURVE_SPACE, k->q, k->alpha, true,
-                           &c));
-    IX_TRY(ix__pt_crv_ruling(ctx, &c, &ruling));
-    fit_range(&c, &k->r);
+    fit_range(&l->c, &k->r);
     ix_mv_domain(k->crv, 0, dom);
     out->n = 0;
-    cut(&ruling, dom, k->r.kind == IX_RULING_PLANES ? 0 : MAX_DEPTH, out);
-    return IX_OK;
+    cut(&l->ruling, dom, k->r.kind == IX_RULING_PLANES ? 0 : MAX_DEPTH, out);
 }
 
 static ix_status one_piece(ix_ctx *ctx, const task *all, const double *t,
@@ -416,13 +431,18 @@ static ix_status one_piece(ix_ctx *ctx, const task *all, const double *t,
 
 static ix_status pieces(ix_ctx *ctx, task *k, ix_crvs *out)
 {
-    ix_status st;
+    ix_status st = IX_OK;
+    loaded l;
     cuts *c;
 
     IX_SCRATCH(ctx, c, 1);
-    IX_TRY(find_cuts(ctx, k, c));
+    IX_TRY(load(ctx, k, k->o.form == IX_FORM_MINIMAL, &l));
+    find_cuts(k, &l, c);
     IX_TRY(ix__crvs_new(ctx, c->n, out));
-    st = c->n == 1 ? build(ctx, k, &out->crv[0]) : IX_OK;
+    if (c->n == 1) {
+        memcpy(k->r.normal, c->normal[0], sizeof c->normal[0]);
+        st = build_of(ctx, k, &l, &out->crv[0]);
+    }
     for (int i = 0; c->n > 1 && st == IX_OK && i < c->n; i++)
         st = one_piece(ctx, k, c->t + 2 * i, c->normal[i], &out->crv[i]);
     if (st != IX_OK)

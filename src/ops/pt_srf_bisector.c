@@ -7,8 +7,8 @@
  *
  *   B = (2 w h p + |r|^2 m) / (2 w^2 h).
  *
- * All of that in the surface's own frame: with Q as the origin the differences
- * that make m would cancel where Q is far in comparison with the surface.
+ * All of that in the surface's own frame, around Q if it is next to the
+ * surface: with a far Q as the origin the differences that make m would cancel.
  *
  * The forms naive and IRIT solve S_u.B = S_u.S, S_v.B = S_v.S, (S - Q).B =
  * (S - Q).(S + Q) / 2 by Cramer's rule on fractions instead, each row over one
@@ -44,33 +44,52 @@ static ix_status check_planes(ix_ctx *ctx, const task *k)
                    at_q / (m * r));
 }
 
-static ix_status load(ix_ctx *ctx, const ix_mv *srf, const double q[3], task *k)
+/* With Q elsewhere than at the origin: r = p - w Q, h = c + m.Q. */
+static ix_status seen_from(ix_ctx *ctx, task *k, const ix_form *c)
 {
-    ix_form at, c, x;
+    ix_form at, x;
 
-    IX_TRY(ix__surface_load(ctx, srf, &k->s));
-    for (int i = 0; i < 3; i++)
-        k->q[i] = ldexp(q[i] - k->s.frame.shift[i], -k->s.frame.exp);
     IX_TRY(ix__form_constant(ctx, &k->s.p, 3, k->q, &at));
     IX_TRY(ix__form_mul(ctx, &at, &k->s.w, &k->wq));
     IX_TRY(ix__form_add(ctx, &k->s.p, -1, &k->wq, &k->r));
-    c = ix__form_rows(&k->s.plane, 3, 1);
     IX_TRY(ix__form_dot(ctx, &k->s.m, &at, &x));
-    IX_TRY(ix__form_add(ctx, &c, 1, &x, &k->h));
+    return ix__form_add(ctx, c, 1, &x, &k->h);
+}
+
+static ix_status load(ix_ctx *ctx, const ix_mv *srf, const double q[3], task *k)
+{
+    ix_form c;
+
+    IX_TRY(ix__surface_load_plane(ctx, srf, q, &k->s));
+    for (int i = 0; i < 3; i++)
+        k->q[i] = ldexp(q[i] - k->s.frame.shift[i], -k->s.frame.exp);
+    c = ix__form_rows(&k->s.plane, 3, 1);
+    k->r = k->s.p;
+    k->h = c;
+    if (!k->s.centred)
+        IX_TRY(seen_from(ctx, k, &c));
     return check_planes(ctx, k);
+}
+
+/* w f; a copy if w is 1. */
+static ix_status weighed(ix_ctx *ctx, const task *k, const ix_form *f,
+                         ix_form *out)
+{
+    return k->s.rational ? ix__form_mul(ctx, f, &k->s.w, out)
+                         : ix__form_copy(ctx, f, out);
 }
 
 static ix_status minimal(ix_ctx *ctx, const task *k, ix_form *x, ix_form *den)
 {
     ix_form y, rr;
 
-    IX_TRY(ix__form_mul(ctx, &k->h, &k->s.w, den));
+    IX_TRY(weighed(ctx, k, &k->h, den));
     ix__form_times(den, 2.0);
     IX_TRY(ix__form_mul(ctx, &k->s.p, den, x));
     IX_TRY(ix__form_dot(ctx, &k->r, &k->r, &rr));
     IX_TRY(ix__form_mul(ctx, &k->s.m, &rr, &y));
     IX_TRY(ix__form_add(ctx, x, 1, &y, x));
-    return ix__form_mul(ctx, den, &k->s.w, den);
+    return k->s.rational ? ix__form_mul(ctx, den, &k->s.w, den) : IX_OK;
 }
 
 /* Rows S_u, S_v, S - Q times w, so that their right sides have the same
@@ -87,7 +106,9 @@ static ix_status rows_of(ix_ctx *ctx, const task *k, ix_form row[3],
         IX_TRY(ix__form_dot(ctx, &d.x, &s->p, &right[i]));
         row[i] = d.x;
     }
-    IX_TRY(ix__form_add(ctx, &s->p, 1, &k->wq, &sum));
+    sum = s->p;
+    if (!s->centred)
+        IX_TRY(ix__form_add(ctx, &s->p, 1, &k->wq, &sum));
     IX_TRY(ix__form_dot(ctx, &k->r, &sum, &right[2]));
     ix__form_times(&right[2], 0.5);
     row[2] = k->r;

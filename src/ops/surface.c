@@ -72,7 +72,8 @@ static ix_status check_normal(ix_ctx *ctx, const ix_surface *s)
     return IX_OK;
 }
 
-static ix_status load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
+static ix_status load(ix_ctx *ctx, const ix_mv *s, const double *at,
+                      ix_surface *out)
 {
     static const double one = 1.0;
     int r = s->rational ? 1 : 0;
@@ -80,6 +81,7 @@ static ix_status load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
     ix_form f;
 
     IX_TRY(ix__frame_of(ctx, 1, &s, &out->frame));
+    out->centred = at && ix__frame_centre(&out->frame, 3, at);
     IX_TRY(ix__forms_load(ctx, 1, &s, &out->frame, &f));
     out->rational = r;
     for (int i = 0; i < 2; i++)
@@ -93,11 +95,11 @@ static ix_status load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
         IX_TRY(tangent(ctx, out, i, &out->t[i]));
     IX_TRY(r ? rational_plane(ctx, out) : polynomial_plane(ctx, out));
     out->band = error_band(out);
-    IX_TRY(check_normal(ctx, out));
-    return ix__form_dot(ctx, &out->m, &out->m, &out->mm);
+    return check_normal(ctx, out);
 }
 
-ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
+ix_status ix__surface_load_plane(ix_ctx *ctx, const ix_mv *s, const double *at,
+                                 ix_surface *out)
 {
     ix_mv *space;
     ix_status st;
@@ -108,9 +110,15 @@ ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
                        "3 coordinates is needed",
                        s->ndirs, s->ncoords);
     IX_TRY(ix_mv_coerce(ctx, s, 3, s->rational, &space));
-    st = load(ctx, space, out); /* copies what it needs */
+    st = load(ctx, space, at, out); /* copies what it needs */
     ix_mv_unref(ctx, space);
     return st;
+}
+
+ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s, ix_surface *out)
+{
+    IX_TRY(ix__surface_load_plane(ctx, s, NULL, out));
+    return ix__form_dot(ctx, &out->m, &out->m, &out->mm);
 }
 
 /* --- the fundamental forms ---------------------------------------------------

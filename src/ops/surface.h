@@ -33,7 +33,7 @@
 
 typedef struct {
     ix_frame frame;
-    bool rational;
+    bool rational, centred;
     int degree[2];
     ix_form p, w; /* 3 rows; 1 row (constant 1 if polynomial) */
     ix_form hom;  /* p, w: 4 rows */
@@ -46,6 +46,10 @@ typedef struct {
  * vanishes identically. Fills all but g and b. */
 ix_status ix__surface_load(ix_ctx *ctx, const ix_mv *s,
                            ix_surface *out) IX_MUST_CHECK;
+/* All but mm, with the point at[3] (may be NULL) as the origin if it is within
+ * twice the box of the surface: then centred is set. */
+ix_status ix__surface_load_plane(ix_ctx *ctx, const ix_mv *s, const double *at,
+                                 ix_surface *out) IX_MUST_CHECK;
 /* g and b; forms that are zero within their error become exactly zero. */
 ix_status ix__surface_forms(ix_ctx *ctx, ix_surface *s) IX_MUST_CHECK;
 ix_status ix__surface_k(ix_ctx *ctx, const ix_surface *s,

@@ -67,6 +67,9 @@ typedef struct {
  * weight 0 aside). Err IX_EDOMAIN all weights are zero. */
 ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m,
                        ix_frame *out) IX_MUST_CHECK;
+/* Makes the point at[nc] the origin if it is within twice the box: then
+ * differences from it are exact however near it is. False if it is not. */
+bool ix__frame_centre(ix_frame *f, int nc, const double *at);
 /* Values of the frame back to the user's: x = w shift + factor x' 2^exp, in
  * place on double[ncoords][n]; w double[n] are their weights, NULL stands for
  * 1. (A result whose weights were multiplied by factor, a power of two, gets

@@ -278,11 +278,12 @@ void ix__form_eval(const ix_form *f, const double *t, double *out)
         base += (size_t)j * ((size_t)sp->degree + 1) * s;
         s *= ix__spans_size(sp);
     }
-    for (int r = 0; r < f->nrows; r++)
-        out[r] = ldexp(patch_value(f, f->ndirs - 1,
-                                   f->c + (size_t)r * f->n + base,
-                                   (const double(*)[2])uv, stride),
-                       f->exp);
+    for (int r = 0; r < f->nrows; r++) {
+        out[r] = patch_value(f, f->ndirs - 1, f->c + (size_t)r * f->n + base,
+                             (const double(*)[2])uv, stride);
+        if (f->exp != 0)
+            out[r] = ldexp(out[r], f->exp);
+    }
 }
 
 ix_status ix__form_bound(ix_ctx *ctx, const ix_form *f, double *out)

@@ -18,7 +18,7 @@
 typedef struct {
     const ix_form *f;
     size_t count;   /* coefficients of a patch */
-    size_t *gather; /* [count] */
+    size_t *gather; /* [count]; NULL: there is one patch, the k-th is k */
     int *place;     /* [count], increasing */
 } patch_map;
 
@@ -122,33 +122,37 @@ static const double *mul_term(const product *w, const ix_form_term *t,
     double *va = work, *vb = va + w->a.count + IX__BERN_PAD;
     double *vo = vb + w->span_len + IX__BERN_PAD;
 
-    for (size_t k = 0; k < w->a.count; k++)
+    for (size_t k = 0; w->a.gather && k < w->a.count; k++)
         va[k] = pa[w->a.gather[k]];
     for (size_t k = 0; k < w->b.count; k++)
-        vb[w->b.place[k]] = pb[w->b.gather[k]];
-    ix__bern_conv_sparse((int)w->a.count, va, w->a.place, w->span_len, vb,
-                         (int)w->out.count, vo);
+        vb[w->b.place[k]] = pb[w->b.gather ? w->b.gather[k] : k];
+    ix__bern_conv_sparse((int)w->a.count, w->a.gather ? va : pa, w->a.place,
+                         w->span_len, vb, (int)w->out.count, vo);
     return vo;
 }
 
 static void scatter(const patch_map *m, const double *v, ix__into into,
                     double *out)
 {
-    if (into == IX__SET)
+    const double sign = into == IX__SUB ? -1.0 : 1.0;
+
+    if (!m->gather && into == IX__SET)
+        memcpy(out, v, m->count * sizeof *out);
+    else if (!m->gather)
+        for (size_t k = 0; k < m->count; k++)
+            out[k] += sign * v[k];
+    else if (into == IX__SET)
         for (size_t k = 0; k < m->count; k++)
             out[m->gather[k]] = v[k];
-    else if (into == IX__ADD)
-        for (size_t k = 0; k < m->count; k++)
-            out[m->gather[k]] += v[k];
     else
         for (size_t k = 0; k < m->count; k++)
-            out[m->gather[k]] -= v[k];
+            out[m->gather[k]] += sign * v[k];
 }
 
 static void zero_patch(const patch_map *m, double *out)
 {
     for (size_t k = 0; k < m->count; k++)
-        out[m->gather[k]] = 0.0;
+        out[m->gather ? m->gather[k] : k] = 0.0;
 }
 
 static void mul_patches(void *arg, size_t begin, size_t end)
@@ -158,7 +162,9 @@ static void mul_patches(void *arg, size_t begin, size_t end)
     for (size_t i = begin; i < end; i++) {
         chunk c = chunk_of(w, i);
 
-        memset(c.work, 0, w->room * sizeof *c.work);
+        /* what is between and around the placed coefficients of b */
+        memset(c.work + w->a.count, 0,
+               ((size_t)w->span_len + 2 * IX__BERN_PAD) * sizeof *c.work);
         for (size_t p = c.lo; p < c.hi; p++) {
             double *out = w->res->c + c.row * w->res->n + patch_base(w->res, p);
 
@@ -171,32 +177,54 @@ static void mul_patches(void *arg, size_t begin, size_t end)
     }
 }
 
-/* Fills the tables of f for patches whose direction i has stride stride[i] in
- * the product. */
-static ix_status map_patch(ix_ctx *ctx, const ix_form *f, const size_t *stride,
-                           patch_map *m)
+/* The next coefficient of a patch, at[ndirs] its place in each direction. */
+static void advance(const ix_form *f, const size_t *stride, int *at,
+                    size_t *from, size_t *to)
 {
+    size_t step = 1;
+
+    for (int i = 0; i < f->ndirs; i++) {
+        int d = f->dirs[i].degree;
+
+        if (at[i] < d) {
+            at[i]++;
+            *from += step;
+            *to += stride[i];
+            return;
+        }
+        *from -= (size_t)d * step;
+        *to -= (size_t)d * stride[i];
+        at[i] = 0;
+        step *= ix__spans_size(&f->dirs[i]);
+    }
+}
+
+/* Fills the tables of f for patches whose direction i has stride stride[i] in
+ * the product: gather but for a single patch, place for a factor. */
+static ix_status map_patch(ix_ctx *ctx, const ix_form *f, const size_t *stride,
+                           bool single, bool factor, patch_map *m)
+{
+    size_t from = 0, to = 0;
+    int at[IX_MAX_DIRS] = {0};
+
     m->f = f;
     m->count = 1;
     for (int i = 0; i < f->ndirs; i++)
         m->count *= (size_t)f->dirs[i].degree + 1;
     if (m->count > INT_MAX / 2)
         return IX_FAIL(ctx, IX_ENOMEM, "a patch of %zu coefficients", m->count);
-    IX_SCRATCH(ctx, m->gather, m->count);
-    IX_SCRATCH(ctx, m->place, m->count);
-    for (size_t k = 0; k < m->count; k++) {
-        size_t rest = k, from = 0, to = 0, step = 1;
-
-        for (int i = 0; i < f->ndirs; i++) {
-            size_t n = (size_t)f->dirs[i].degree + 1, j = rest % n;
-
-            rest /= n;
-            from += j * step;
-            to += j * stride[i];
-            step *= ix__spans_size(&f->dirs[i]);
-        }
-        m->gather[k] = from;
-        m->place[k] = (int)to;
+    m->gather = NULL;
+    m->place = NULL;
+    if (!single)
+        IX_SCRATCH(ctx, m->gather, m->count);
+    if (factor)
+        IX_SCRATCH(ctx, m->place, m->count);
+    for (size_t k = 0; (m->gather || factor) && k < m->count; k++) {
+        if (m->gather)
+            m->gather[k] = from;
+        if (factor)
+            m->place[k] = (int)to;
+        advance(f, stride, at, &from, &to);
     }
     return IX_OK;
 }
@@ -205,14 +233,15 @@ static ix_status map_patches(ix_ctx *ctx, const ix_form *a, const ix_form *b,
                              product *w)
 {
     size_t stride[IX_MAX_DIRS], s = 1;
+    bool single = w->npatches == 1;
 
     for (int i = 0; i < a->ndirs; i++) {
         stride[i] = s;
         s *= (size_t)w->res->dirs[i].degree + 1;
     }
-    IX_TRY(map_patch(ctx, w->res, stride, &w->out));
-    IX_TRY(map_patch(ctx, a, stride, &w->a));
-    IX_TRY(map_patch(ctx, b, stride, &w->b));
+    IX_TRY(map_patch(ctx, w->res, stride, single, false, &w->out));
+    IX_TRY(map_patch(ctx, a, stride, single, true, &w->a));
+    IX_TRY(map_patch(ctx, b, stride, single, true, &w->b));
     if (w->b.count < w->a.count) { /* the dense factor is the larger one */
         patch_map t = w->a;
 

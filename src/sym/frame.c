@@ -56,6 +56,18 @@ ix_status ix__frame_of(ix_ctx *ctx, int n, const ix_mv *const *m, ix_frame *out)
     return IX_OK;
 }
 
+bool ix__frame_centre(ix_frame *f, int nc, const double *at)
+{
+    for (int k = 0; k < nc; k++)
+        if (!(fabs(ldexp(at[k] - f->shift[k], -f->exp)) <= 2.0))
+            return false;
+    for (int k = 0; k < nc; k++)
+        f->shift[k] = at[k];
+    f->exp += 2;
+    f->noise *= 0.25;
+    return true;
+}
+
 void ix__frame_back(const ix_frame *f, double factor, size_t n, const double *w,
                     double *x)
 {
