@@ -17,16 +17,6 @@
 /* --- bounds -----------------------------------------------------------------
  */
 
-static double dot_half(const double a[3], const double ha[3], const double b[3],
-                       const double hb[3])
-{
-    double h = 0.0;
-
-    for (int k = 0; k < 3; k++)
-        h += fabs(a[k]) * hb[k] + ha[k] * (fabs(b[k]) + hb[k]);
-    return h;
-}
-
 void ix__tri_measure(const ix__tri_object *o, double margin, ix__tri_foot *f)
 {
     const ix__tri_span *s = &o->span[f->span];
@@ -68,7 +58,7 @@ static bool may_touch(const ix__tri_box *b, const ix__tri_foot *f, int ndirs)
     ix__axpy3(b->h, 1.0, f->h.x, hr);
     for (int a = 0; a < ndirs; a++)
         if (fabs(ix__dot3(r, f->m.t[a])) >
-            dot_half(r, hr, f->m.t[a], f->h.t[a]))
+            ix__tri_dot_half(r, hr, f->m.t[a], f->h.t[a]))
             return false;
     return true;
 }

@@ -31,9 +31,10 @@ typedef struct {
     ix__tri_field t[2]; /* d_a without the factors that vanish on a whole edge:
                            tangents at poles too */
     double part[2];     /* of the object's domain */
-    double *room[4];    /* for the largest field */
+    double *room[8];    /* for the largest field */
     const double *weight[2][2]; /* of the products p t_a in each direction */
-    double *product;            /* for w (c - X).T_a */
+    double *last;    /* lo, hi of each parameter: the box of what is in room */
+    double *product; /* for w (c - X).T_a */
 } ix__tri_span;
 
 typedef struct {
@@ -86,6 +87,9 @@ void ix__tri_values(const ix__tri_shape *s, const double c[3],
 /* The Jacobian at C with given jets. */
 void ix__tri_jacobian(const ix__tri_shape *s, const double c[3],
                       const ix__tri_jet *const j[3], ix__tri_matrix out);
+/* Half width of a.b, for half widths ha and hb of a and b. */
+double ix__tri_dot_half(const double a[3], const double ha[3],
+                        const double b[3], const double hb[3]);
 /* Middle and half width of the Jacobian over boxes of C and of jets. */
 void ix__tri_jacobian_bounds(const ix__tri_shape *s, const double c[3],
                              const double half[3],

@@ -169,9 +169,12 @@ static ix_status span_of(ix_ctx *ctx, const ix_form *f, const ix_form *d,
 
         most = size > most ? size : most;
     }
-    for (int a = 0; a < 4; a++)
+    for (int a = 0; a < 8; a++)
         IX_SCRATCH(ctx, s->room[a], n);
     IX_SCRATCH(ctx, s->product, most + 1);
+    IX_SCRATCH(ctx, s->last, 4);
+    for (int a = 0; a < 4; a++)
+        s->last[a] = HUGE_VAL; /* no box */
     return IX_OK;
 }
 
@@ -321,7 +324,7 @@ void ix__tri_jet_at(const ix__tri_span *s, const double *u, ix__tri_jet *out)
 /* The field over the box as if it were [0, 1]^2. */
 static ix__tri_field restricted(const ix__tri_field *f, int ndirs,
                                 const double *lo, const double *hi,
-                                double *room[2])
+                                double *const room[2])
 {
     ix__tri_field g = *f;
     size_t inner = (size_t)((f->deg[0] + 1) * f->rows);
@@ -418,18 +421,43 @@ static void over_weight(range3 *r, const double w2[2])
     }
 }
 
+/* Point and tangents over a box, kept for another look at the same one. */
+static void fields_over(const ix__tri_span *s, const double *lo,
+                        const double *hi, ix__tri_field *p, ix__tri_field t[2])
+{
+    double *last = s->last;
+    bool same = s->ndirs > 0;
+
+    for (int a = 0; a < s->ndirs; a++) {
+        same = same && last[2 * a] == lo[a] && last[2 * a + 1] == hi[a];
+        last[2 * a] = lo[a];
+        last[2 * a + 1] = hi[a];
+    }
+    for (int a = -1; a < s->ndirs; a++) {
+        const ix__tri_field *f = a < 0 ? &s->p : &s->t[a];
+        ix__tri_field *to = a < 0 ? p : &t[a];
+        double *const *room = s->room + 2 * (a + 1);
+
+        *to = *f;
+        to->c = room[1];
+        if (!same)
+            *to = restricted(f, s->ndirs, lo, hi, room);
+    }
+}
+
 bool ix__tri_bounds(const ix__tri_span *s, const double *lo, const double *hi,
                     ix__tri_jet *mid, ix__tri_jet *half)
 {
-    double w2[2], *room[2] = {s->room[0], s->room[1]};
-    ix__tri_field g = restricted(&s->p, s->ndirs, lo, hi, room);
+    ix__tri_field g, t[2];
+    double w2[2];
     range3 r;
 
+    fields_over(s, lo, hi, &g, t);
     if (!point_range(&g, &r, w2))
         return false;
     halves(&r, mid->x, half->x);
     for (int a = 0; a < s->ndirs; a++) {
-        g = restricted(&s->t[a], s->ndirs, lo, hi, room);
+        g = t[a];
         r = value_range(&g);
         halves(&r, mid->t[a], half->t[a]);
         for (int b = 0; b < s->ndirs; b++) {
@@ -437,7 +465,7 @@ bool ix__tri_bounds(const ix__tri_span *s, const double *lo, const double *hi,
             halves(&r, mid->e[a][b], half->e[a][b]);
         }
         if (s->d[a].c != s->t[a].c)
-            g = restricted(&s->d[a], s->ndirs, lo, hi, room);
+            g = restricted(&s->d[a], s->ndirs, lo, hi, s->room + 6);
         r = value_range(&g);
         over_weight(&r, w2);
         halves(&r, mid->d[a], half->d[a]);
@@ -493,12 +521,11 @@ static void derivative_range(const double *x, const int n[2], int b,
 void ix__tri_turning(const ix__tri_span *s, const double *lo, const double *hi,
                      const double c[3], ix__tri_turn *out)
 {
-    double *room[2] = {s->room[0], s->room[1]},
-           *other[2] = {s->room[2], s->room[3]};
-    ix__tri_field p = restricted(&s->p, s->ndirs, lo, hi, room);
-    int np = (p.deg[0] + 1) * (p.deg[1] + 1);
+    int np = (s->p.deg[0] + 1) * (s->p.deg[1] + 1);
+    ix__tri_field p, tangent[2];
     double w0 = HUGE_VAL, w1 = -HUGE_VAL;
 
+    fields_over(s, lo, hi, &p, tangent);
     for (int i = 0; i < np; i++) {
         w0 = fmin(w0, p.c[4 * i]);
         w1 = fmax(w1, p.c[4 * i]);
@@ -506,7 +533,7 @@ void ix__tri_turning(const ix__tri_span *s, const double *lo, const double *hi,
     out->w = 0.5 * (w0 + w1);
     out->hw = 0.5 * (w1 - w0);
     for (int a = 0; a < s->ndirs; a++) {
-        ix__tri_field t = restricted(&s->t[a], s->ndirs, lo, hi, other);
+        ix__tri_field t = tangent[a];
         const int n[2] = {p.deg[0] + t.deg[0] + 1, p.deg[1] + t.deg[1] + 1};
 
         multiply(&p, &t, s->weight[a], c, s->product);

@@ -65,9 +65,8 @@ void ix__tri_jacobian(const ix__tri_shape *s, const double c[3],
     }
 }
 
-/* Half width of a.b, for half widths ha and hb of a and b. */
-static double dot_half(const double a[3], const double ha[3], const double b[3],
-                       const double hb[3])
+double ix__tri_dot_half(const double a[3], const double ha[3],
+                        const double b[3], const double hb[3])
 {
     double h = 0.0;
 
@@ -95,21 +94,22 @@ void ix__tri_jacobian_bounds(const ix__tri_shape *s, const double c[3],
         for (int a = 0; a < s->ndirs[i]; a++, n++) {
             memcpy(out_rad[n], h->t[a], sizeof h->t[a]);
             for (int b = 0; b < s->ndirs[i]; b++)
-                out_rad[n][s->at[i] + b] = dot_half(r[i], hr[i], m->e[a][b],
-                                                    h->e[a][b]) +
-                                           dot_half(m->d[b], h->d[b], m->t[a],
-                                                    h->t[a]);
+                out_rad[n][s->at[i] + b] =
+                    ix__tri_dot_half(r[i], hr[i], m->e[a][b], h->e[a][b]) +
+                    ix__tri_dot_half(m->d[b], h->d[b], m->t[a], h->t[a]);
         }
     }
     for (int i = 1; i < 3; i++, n++) {
         for (int k = 0; k < 3; k++)
             out_rad[n][k] = 2.0 * (rad[i]->x[k] + rad[0]->x[k]);
         for (int b = 0; b < s->ndirs[0]; b++)
-            out_rad[n][s->at[0] + b] = 2.0 * dot_half(r[0], hr[0], mid[0]->d[b],
-                                                      rad[0]->d[b]);
+            out_rad[n][s->at[0] + b] = 2.0 * ix__tri_dot_half(r[0], hr[0],
+                                                              mid[0]->d[b],
+                                                              rad[0]->d[b]);
         for (int b = 0; b < s->ndirs[i]; b++)
-            out_rad[n][s->at[i] + b] = 2.0 * dot_half(r[i], hr[i], mid[i]->d[b],
-                                                      rad[i]->d[b]);
+            out_rad[n][s->at[i] + b] = 2.0 * ix__tri_dot_half(r[i], hr[i],
+                                                              mid[i]->d[b],
+                                                              rad[i]->d[b]);
     }
 }
 
