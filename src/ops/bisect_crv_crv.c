@@ -45,6 +45,7 @@ static ix_status walk(ix_ctx *ctx, const ix__object obj[2],
 
     IX_TRY(ix__plane_seeds(ctx, obj, &n, &seeds));
     IX_TRY(ix__walk_all(ctx, &w, n, seeds, &done));
+    IX_TRY(ix__walked_chain(ctx, &done));
     return ix__bisector_make(ctx, &done, obj, frame, out);
 }
 

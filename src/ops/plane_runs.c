@@ -85,7 +85,7 @@ static bool joins(const ix__walk *w, const ix__sample *a, const ix__sample *b)
     return ea->kind == IX__SIDE || ea->index == eb->index;
 }
 
-static bool meets(const ix__sample *a, const ix__sample *b)
+bool ix__centres_meet(const ix__sample *a, const ix__sample *b)
 {
     double tol = ix__near_feet(a) || ix__near_feet(b) ? 1e-6 : 1e-7;
 
@@ -133,8 +133,8 @@ static ix_status add_run(ix_ctx *ctx, ix__walked *o, ix__run r, bool *gap)
     }
     if (before && before->loop == r.loop)
         r.joined = !before->far[1] && !r.far[0] &&
-                   meets(ix__run_at(o, before, before->count - 1),
-                         ix__run_at(o, &r, 0));
+                   ix__centres_meet(ix__run_at(o, before, before->count - 1),
+                                    ix__run_at(o, &r, 0));
     IX_GROW(ctx, o->run, o->nruns, o->room);
     o->run[o->nruns++] = r;
     return IX_OK;

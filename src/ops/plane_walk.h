@@ -95,6 +95,10 @@ typedef struct {
 /* first: nseeds places that are looked at in any case. */
 ix_status ix__walk_all(ix_ctx *ctx, const ix__walk *w, int nseeds,
                        const ix__place *first, ix__walked *out) IX_MUST_CHECK;
+/* Puts runs in the order in which they follow one another, also where that is
+ * not the order around the border: where one ends and one begins, and no other.
+ */
+ix_status ix__walked_chain(ix_ctx *ctx, ix__walked *w) IX_MUST_CHECK;
 static inline const ix__sample *ix__run_at(const ix__walked *w,
                                            const ix__run *r, int i)
 {

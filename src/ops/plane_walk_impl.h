@@ -13,6 +13,8 @@ void ix__own_frame(const ix__set *s, const ix__border *e, double at,
                    ix__sample *o);
 /* Feet so near each other that the centre is known to half the digits. */
 bool ix__near_feet(const ix__sample *a);
+/* Are both centres one, where pieces end and begin? */
+bool ix__centres_meet(const ix__sample *a, const ix__sample *b);
 /* How far the foot moves from a to b along its strand; infinite if there is no
  * way without a corner. */
 double ix__foot_way(const ix__set *s, const ix__touch *a, const ix__touch *b);

@@ -315,6 +315,20 @@ static void show(const char *name, const sequence *s)
     printf("\n");
 }
 
+/* Does any piece end near the reach of the walk, or beyond? */
+static bool ends_far(const problem *p, const ix_bisector *b)
+{
+    for (int i = 0; i < b->n; i++)
+        for (int e = 0; e < 2; e++) {
+            const ix_bisector_piece *g = &b->piece[i];
+
+            if (!g->unbounded[e] && truth_dist(g->x + (e ? 2 * (g->n - 1) : 0),
+                                               p->mid) > 0.5 * REACH * p->size)
+                return true;
+        }
+    return false;
+}
+
 /* The components of c[0] and c[1]; how many. */
 static int check(ix_ctx *ctx, ix_mv *c[2], int pair, double step_size)
 {
@@ -345,7 +359,7 @@ static int check(ix_ctx *ctx, ix_mv *c[2], int pair, double step_size)
         show("said", &said);
         fail_msg("pair %d: other components", pair);
     }
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4 && !ends_far(&p, &s); i++)
         if ((int)end[i] != seen.ends[i])
             fail_msg("pair %d: end %d has %d feet, not %d", pair, i,
                      seen.ends[i], (int)end[i]);
@@ -422,6 +436,21 @@ static void random_segments(void **state)
     }
 }
 
+/* Pairs in which something was wrong once: components of a curve that crosses
+ * itself came in the order around it. */
+static void found(void **state)
+{
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *c[2];
+
+    (void)state;
+    random_pair(ctx, 79, c);
+    (void)check(ctx, c, 79, 0.12);
+    ix_mv_unref(ctx, c[0]);
+    ix_mv_unref(ctx, c[1]);
+    ix_ctx_free(ctx);
+}
+
 /* Eight components of two disjoint quadratic segments. */
 static void eight(void **state)
 {
@@ -454,6 +483,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_segments),
         cmocka_unit_test(eight),
+        cmocka_unit_test(found),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
