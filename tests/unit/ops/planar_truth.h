@@ -162,9 +162,11 @@ static inline void truth_golden(const truth_arc *a, const double q[2],
 
     p[1] = truth_place_at(a, q, p[3].u - g * (p[3].u - p[0].u));
     p[2] = truth_place_at(a, q, p[0].u + g * (p[3].u - p[0].u));
-    /* where the curve passes through q the distance is no parabola, but an
-       angle: as many more steps as its square has digits */
-    for (int i = 0; i < 34 || (i < 60 && fmin(p[1].d, p[2].d) < 1e-6); i++) {
+    /* a step e beside the foot is e^2 / (2 d) farther: to 1e-13 of d, and where
+       the curve passes through q to the last digits */
+    for (int i = 0; i < 34 || (i < 60 && truth_dist(p[1].x, p[2].x) >
+                                             4e-7 * fmin(p[1].d, p[2].d));
+         i++) {
         if (!truth_may_hold(&p[0], &p[1], f->d) &&
             !truth_may_hold(&p[1], &p[2], f->d) &&
             !truth_may_hold(&p[2], &p[3], f->d))
