@@ -34,7 +34,7 @@ typedef struct {
     bool distance; /* b = w^2 */
     bool any;      /* one better value is enough */
     double tol;    /* of g, relative to the weight squared */
-    double limit;  /* of g on this span */
+    double limit;  /* of g on this part */
     double k;
     int found; /* span of the best value, -1: none */
     double u;
@@ -309,6 +309,15 @@ static bool solve_convex(search *s, const double *p, double u0, double u1)
     return false;
 }
 
+/* What of g is as deep as the tolerance on a part: by the part's own weights,
+ * but those of the span leave rounding. */
+static double limit_of(const search *s, const double *p)
+{
+    double w = ix__bern_largest((size_t)s->d + 1, p);
+
+    return s->tol * w * fmax(w, 0.1 * s->sp->weight);
+}
+
 static void part(search *s, double *p, double u0, double u1, int depth)
 {
     int d = s->d;
@@ -318,6 +327,7 @@ static void part(search *s, double *p, double u0, double u1, int depth)
     if (done(s) || !isfinite(s->k) || !part_in_reach(s, p))
         return;
     load(s, p);
+    s->limit = limit_of(s, p);
     if (hopeless(s, radii(s, p, s->k)))
         return;
     offer(s, s->a[0], s->b[0], u0);
@@ -362,7 +372,6 @@ static void run(search *s, const ix__set *set, int index)
     s->sp = sp;
     s->d = d;
     s->span = index;
-    s->limit = s->tol * sp->weight * sp->weight;
     lay_out(s, set->work);
     p = s->room;
     s->room += 3 * (d + 1);
