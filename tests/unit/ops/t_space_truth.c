@@ -13,6 +13,7 @@
 
 #include "geom/vec3.h"
 #include "harness/test.h"
+#include "iritx/geom_srf.h"
 #include "iritx/ops_bisect.h"
 #include "truth.h"
 
@@ -229,23 +230,31 @@ static void make_pair(source *s, ix_mv *c[2])
 /* --- truth ------------------------------------------------------------------
  */
 
+/* Knots around t, also of a periodic direction; the index of the first point.
+ */
+static size_t load_around(const ix_dir *d, double t, local *o)
+{
+    int p = d->order - 1, j = p;
+
+    o->degree = p;
+    while (d->basis == IX_BSPLINE && d->knots[j + 1] <= t &&
+           j + 1 < d->length + (d->periodic ? p : 0))
+        j++;
+    for (int i = 0; i < 2 * p + 2; i++)
+        o->knots[i] = d->basis == IX_BSPLINE ? d->knots[j - p + i] : i > p;
+    memset(o->pts, 0, sizeof o->pts);
+    return (size_t)(j - p);
+}
+
 /* A homogeneous curve around t, every number changed by eps at random. */
 static void load_curve(const ix_mv *m, double t, double eps, ix_rng *r,
                        local *o)
 {
     ix_dir d = ix_mv_dir(m, 0);
-    size_t n = ix_mv_npts(m);
-    int p = d.order - 1, j = p;
+    size_t n = ix_mv_npts(m), first = load_around(&d, t, o);
 
-    o->degree = p;
-    while (d.basis == IX_BSPLINE && d.knots[j + 1] <= t &&
-           j + 1 < d.length + (d.periodic ? p : 0))
-        j++;
-    for (int i = 0; i < 2 * p + 2; i++)
-        o->knots[i] = d.basis == IX_BSPLINE ? d.knots[j - p + i] : i > p;
-    memset(o->pts, 0, sizeof o->pts);
-    for (int i = 0; i <= p; i++) {
-        size_t at = (size_t)(j - p + i) % n;
+    for (int i = 0; i < d.order; i++) {
+        size_t at = (first + (size_t)i) % n;
 
         o->pts[i][0] = ix_mv_rational(m) ? ix_mv_weights(m)[at] : 1;
         for (int k = 0; k < ix_mv_ncoords(m); k++)
@@ -609,6 +618,170 @@ static void point_and_curve(source *s)
         ix_mv_unref(s->ctx, c[i]);
 }
 
+/* --- a surface and a point --------------------------------------------------
+ */
+
+static double size_of(const ix_mv *c)
+{
+    double size = 0, w[2] = {1, 1};
+
+    for (size_t i = 1; i < ix_mv_npts(c); i++)
+        for (int k = 0; k < ix_mv_ncoords(c); k++) {
+            const double *x = ix_mv_coord(c, k);
+
+            if (ix_mv_rational(c)) {
+                w[0] = ix_mv_weights(c)[0];
+                w[1] = ix_mv_weights(c)[i];
+            }
+            size = fmax(size, fabs(x[i] / w[1] - x[0] / w[0]));
+        }
+    return size;
+}
+
+/* The curve extruded along a line of its size, or ruled to the other one. */
+static ix_mv *random_surface(source *s)
+{
+    ix_mv *c[2], *m;
+    double size, v[3];
+
+    make_pair(s, c);
+    size = size_of(c[0]);
+    if (s->kind != SHARED && s->kind != PLANAR && s->kind != HIGH) {
+        for (int k = 0; k < 3; k++)
+            v[k] = size * ix_rng_range(s->r, 0.5, 1.5);
+        ASSERT_OK(s->ctx, ix_srf_extrude(s->ctx, c[0], v, &m));
+    } else {
+        ASSERT_OK(s->ctx, ix_srf_ruled(s->ctx, c[0], c[1], &m));
+    }
+    for (int i = 0; i < 2; i++)
+        ix_mv_unref(s->ctx, c[i]);
+    return m;
+}
+
+/* Largest projected coordinate of a control point. */
+static double box_of(const ix_mv *m)
+{
+    size_t n = ix_mv_npts(m);
+    double most = 0;
+
+    for (size_t i = 0; i < 3 * n; i++)
+        most = fmax(most,
+                    fabs(ix_mv_coord(m, 0)[i] /
+                         (ix_mv_rational(m) ? ix_mv_weights(m)[i % n] : 1)));
+    return most;
+}
+
+/* Value and partials of the homogeneous surface around q, changed by eps of
+ * the box: the surface has one frame, however small some part of it is. */
+static void surface_jet(const ix_mv *m, const double *t, const double *q,
+                        double eps, ix_rng *r, real h[3][4])
+{
+    ix_dir d[2] = {ix_mv_dir(m, 0), ix_mv_dir(m, 1)};
+    size_t nu = (size_t)d[0].length, n = ix_mv_npts(m), rat = ix_mv_rational(m);
+    const double *p = rat ? ix_mv_weights(m) : ix_mv_coord(m, 0);
+    local u, sum, v[3];
+    size_t j = load_around(&d[1], t[1], &v[0]),
+           i = load_around(&d[0], t[0], &u);
+    real size[4], slope[3] = {1, 0, 0}, box = eps > 0 ? box_of(m) : 0;
+
+    v[1] = v[2] = v[0];
+    sum = u;
+    slope[1] = 2 * u.degree / (u.knots[u.degree + 1] - u.knots[u.degree]);
+    slope[2] = 2 * v->degree / (v->knots[v->degree + 1] - v->knots[v->degree]);
+    for (int row = 0; row <= v[0].degree; row++) {
+        for (int a = 0; a <= u.degree; a++) {
+            size_t at = (i + (size_t)a) % nu + nu * (j + (size_t)row);
+            real w = rat ? p[at] * (real)(1 + eps * ix_rng_range(r, -1, 1)) : 1;
+
+            u.pts[a][0] = w;
+            sum.pts[a][0] = fabsl(w);
+            for (size_t k = 0; k < 3; k++) {
+                real x = p[(k + rat) * n + at] +
+                         w * (real)(box * eps * ix_rng_range(r, -1, 1));
+
+                u.pts[a][k + 1] = x - w * q[k];
+                sum.pts[a][k + 1] = fabsl(x) + fabsl(w * q[k]);
+            }
+        }
+        derive_local(&u, 0, t[0], v[0].pts[row]);
+        derive_local(&u, 1, t[0], v[1].pts[row]);
+        derive_local(&sum, 0, t[0], v[2].pts[row]);
+    }
+    derive_local(&v[0], 0, t[1], h[0]);
+    derive_local(&v[1], 0, t[1], h[1]);
+    derive_local(&v[0], 1, t[1], h[2]);
+    derive_local(&v[2], 0, t[1], size);
+    for (int b = 0; b < 3; b++)
+        for (int k = 0; k < 4; k++)
+            h[b][k] += eps * ix_rng_range(r, -1, 1) * size[k] * slope[b];
+}
+
+/* The point of the bisector; returns its distance from the foot over the sine
+ * at which the line to q meets the tangent plane: their product is a sum that
+ * is rounded in proportion to both lengths. */
+static real on_normal(const ix_mv *m, const double *t, const double *q,
+                      double eps, real out[3])
+{
+    static ix_rng r = {5};
+    real h[3][4], x[3], d[2][3], n[3], lambda;
+
+    surface_jet(m, t, q, eps, &r, h);
+    for (int k = 0; k < 3; k++) {
+        x[k] = h[0][k + 1] / h[0][0];
+        for (int i = 0; i < 2; i++)
+            d[i][k] = (h[i + 1][k + 1] - x[k] * h[i + 1][0]) / h[0][0];
+    }
+    cross(d[0], d[1], n);
+    lambda = -dot(x, x) / (2 * dot(x, n));
+    for (int k = 0; k < 3; k++)
+        out[k] = q[k] + x[k] + lambda * n[k];
+    return fabsl(lambda) * dot(n, n) * sqrtl(dot(x, x)) / fabsl(dot(x, n));
+}
+
+/* Weights over six decades in both factors of the normal cost up to five digits
+ * (600 cases: 2.5e4 roundings). Thin strips lose the ratio of their sides,
+ * which makes the normal out of nearly parallel tangents: none here. */
+#define WEIGHTED 1e5
+
+/* Law: on the normal as far from the point as from the surface. */
+static void point_and_surface(source *s)
+{
+    ix_mv *m = random_surface(s), *b;
+    double q[3], t[2];
+    ix_status st;
+
+    random_place(s, m, t);
+    ASSERT_OK(s->ctx, ix_mv_point(s->ctx, m, t, q));
+    for (int k = 0; k < 3 && ix_rng_int(s->r, 0, 3); k++)
+        q[k] += (s->kind == SMALL_APART ? 1e-6 : 1) * scale_of(s->r, 1e-6, 100);
+    st = ix_pt_srf_bisector(s->ctx, m, q, NULL, NULL, &b);
+    /* all tangent planes of a plane pass through a point of it */
+    if (st != IX_OK && (st != IX_EDOMAIN || ix_mv_order(m, 0) > 2))
+        fail_msg("%s: %s", names[s->kind], ix_ctx_message(s->ctx));
+    for (int i = 0; st == IX_OK && i < 8; i++) {
+        real want[3], got[3], moved[3], bound;
+        double x[3];
+
+        random_place(s, b, t);
+        bound = 0x1p-52 * on_normal(m, t, q, 0, want);
+        if (ix_mv_point(s->ctx, b, t, x) != IX_OK)
+            continue;
+        for (int k = 0; k < 3; k++)
+            got[k] = x[k];
+        for (int k = 0; k < 6; k++) {
+            (void)on_normal(m, t, q, 0x1p-52, moved);
+            bound = fmaxl(bound, off(moved, want));
+        }
+        bound += of_result(s->ctx, b, t);
+        bound *= s->kind == WEIGHTS ? WEIGHTED : ROUNDINGS;
+        if (!(off(got, want) <= bound))
+            fail_msg("%s: %Lg off, bound %Lg at (%g, %g)", names[s->kind],
+                     off(got, want), bound, t[0], t[1]);
+    }
+    ix_mv_unref(s->ctx, b);
+    ix_mv_unref(s->ctx, m);
+}
+
 /* --- all kinds --------------------------------------------------------------
  */
 
@@ -639,11 +812,18 @@ static void points(void **state)
     each(point_and_curve, 50000);
 }
 
+static void surfaces(void **state)
+{
+    (void)state;
+    each(point_and_surface, 90000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(curves),
         cmocka_unit_test(points),
+        cmocka_unit_test(surfaces),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
