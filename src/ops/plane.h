@@ -139,6 +139,8 @@ bool ix__set_blocks(const ix__set *s, const double c[2], const double n[2],
                     double depth, ix__touch *io);
 /* Is a point of the set no farther from x than d > 0? */
 bool ix__set_near(const ix__set *s, const double x[2], double d);
+/* The span behind end e of a span; -1 if there is a vertex, or nothing. */
+int ix__next_span(const ix__set *s, int span, int e);
 /* Distance of x from the set; the place in *at unless that is NULL. */
 double ix__set_distance(const ix__set *s, const double x[2], ix__touch *at);
 

@@ -62,6 +62,12 @@ static double own_curvature(const ix__set *s, const ix__border *e, double at)
     return k > 0.0 ? k : 0.0;
 }
 
+static void set_apart(ix__sample *o)
+{
+    for (int k = 0; k < 2 && !o->narrow; k++)
+        o->apart[k] = o->x[k] - o->c[k];
+}
+
 /* The other foot: vertex or side of a span. */
 static void other_foot(const ix__set *s, ix__sample *o)
 {
@@ -72,10 +78,12 @@ static void other_foot(const ix__set *s, ix__sample *o)
     o->side = 0;
     if (o->vertex >= 0) {
         memcpy(o->x, s->vertex[o->vertex].x, sizeof o->x);
+        set_apart(o);
         return;
     }
     ix__span_at(s, sp, u, d);
     memcpy(o->x, d[0], sizeof o->x);
+    set_apart(o);
     ix__span_tangent(s, sp, u, t);
     o->side = t[0] * (o->b[1] - o->x[1]) - t[1] * (o->b[0] - o->x[0]) > 0.0
                   ? 1
@@ -119,7 +127,7 @@ static void motion(const ix__walk *w, const ix__border *e, ix__sample *o)
 {
     const ix__span *sp = &w->other->span[o->foot.span];
     double t[2], move, m[2], d[3][2], v, along, k, len;
-    double n[2] = {(o->b[0] - o->x[0]) / o->r, (o->b[1] - o->x[1]) / o->r};
+    double n[2] = {o->n[0] - o->apart[0] / o->r, o->n[1] - o->apart[1] / o->r};
 
     o->speed = 0.0; /* of a circle of curvature: along the evolute, slowly */
     o->rate = e->side;
@@ -163,7 +171,7 @@ static double beside(const ix__walk *w, const ix__sample *o, const double m[2],
  * other side to the other, as near to b as that can be told from rounding? */
 static bool separates(const ix__walk *w, const ix__sample *o)
 {
-    double m[2] = {o->x[0] - o->c[0], o->x[1] - o->c[1]};
+    double m[2] = {o->apart[0], o->apart[1]};
     double len = hypot(m[0], m[1]), size = fmax(o->r, 1.0);
     double most = (o->r > IX__FAR ? ASIDE_FAR : ASIDE) * size;
 
@@ -182,19 +190,14 @@ static bool separates(const ix__walk *w, const ix__sample *o)
 
 bool ix__near_feet(const ix__sample *a)
 {
-    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]) <=
-           TOUCHING * fmin(a->r, 1.0);
+    return hypot(a->apart[0], a->apart[1]) <= TOUCHING * fmin(a->r, 1.0);
 }
 
-/* Is the own foot on the other set too (the curves are the same there), or are
- * both feet one as far as can be told? */
-static bool on_both(const ix__walk *w, const ix__sample *o)
+/* Are both feet one as far as can be told? */
+static bool one_point(const ix__walk *w, const ix__sample *o)
 {
-    if (w->own == w->other)
-        return false;
-    if (ix__set_near(w->other, o->c, COMMON))
-        return true;
-    return ix__near_feet(o) && !separates(w, o);
+    return w->own != w->other && w->meeting && !o->narrow && ix__near_feet(o) &&
+           !separates(w, o);
 }
 
 double ix__foot_way(const ix__set *s, const ix__touch *a, const ix__touch *b)
@@ -241,7 +244,7 @@ static void judge(const ix__walk *w, const ix__border *e, ix__sample *o)
     for (int k = 0; k < 2; k++)
         o->b[k] = o->c[k] + o->r * o->n[k];
     other_foot(w->other, o);
-    if (in_common(w, o) || (w->meeting && on_both(w, o)))
+    if (in_common(w, o) || one_point(w, o))
         return;
     if (w->own != w->other &&
         ix__set_blocks(w->own, o->c, o->n, IX__OWN_DEPTH, &block)) {
@@ -259,6 +262,7 @@ void ix__walk_sample_near(const ix__walk *w, int border, double at,
 {
     const ix__border *e = &w->own->border[border];
     ix__sample o = {.border = border, .at = at, .vertex = -1};
+    ix__touch next;
 
     *out = o;
     if (e->kind == IX__FAN && w->own->vertex[e->index].shared)
@@ -272,7 +276,11 @@ void ix__walk_sample_near(const ix__walk *w, int border, double at,
         if (!isfinite(o.foot.kappa))
             return;
     }
+    if (!ix__narrow_foot(w, &o))
+        return;
+    next = o.foot;
     ix__set_touch_near(w->other, o.c, o.n, IX__DEPTH, foot, &o.foot);
+    o.narrow = o.narrow && o.foot.span == next.span && o.foot.u == next.u;
     if (o.foot.span < 0 && w->own == w->other && o.foot.kappa > 0.0) {
         o.own_circle = true;
         o.foot.span = e->index;

@@ -37,7 +37,8 @@ static ix_status add_place(places *l, int border, double at)
 
 /* Branches whose feet stay near a crossing, or near an end where one curve goes
  * on from the other, may be as short as that on the curve. */
-static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
+static const double steps[] = {1e-11, 1e-10, 1e-9, 1e-8, 1e-7,
+                               1e-6,  1e-5,  1e-4, 1e-3, 1e-2};
 enum { STEPS = sizeof steps / sizeof *steps };
 
 /* The border elements of span i, at all steps before and behind u. */

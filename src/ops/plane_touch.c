@@ -432,8 +432,7 @@ static bool stationary(const ix__set *set, const search *s, int span, double u,
     return dh < 0.0 && fabs(*step) <= 1e-3;
 }
 
-/* The span behind end e; -1 if there is a vertex, or nothing. */
-static int neighbour(const ix__set *set, int span, int e)
+int ix__next_span(const ix__set *set, int span, int e)
 {
     const ix__span *sp = &set->span[span];
     const ix__strand *st;
@@ -456,8 +455,8 @@ static void sharpen(const ix__set *set, search *s)
     int span = s->found;
     double u = s->u;
 
-    if ((u <= 0.0 && neighbour(set, span, 0) < 0) ||
-        (u >= 1.0 && neighbour(set, span, 1) < 0))
+    if ((u <= 0.0 && ix__next_span(set, span, 0) < 0) ||
+        (u >= 1.0 && ix__next_span(set, span, 1) < 0))
         return;
     for (int i = 0; i < 8; i++) {
         double k, vv, step;
@@ -474,7 +473,7 @@ static void sharpen(const ix__set *set, search *s)
         if (u < 0.0 || u > 1.0) {
             int e = u > 1.0;
 
-            span = neighbour(set, span, e);
+            span = ix__next_span(set, span, e);
             if (span < 0)
                 return;
             u = e ? 0.0 : 1.0;

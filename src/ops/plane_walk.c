@@ -135,7 +135,7 @@ static double excess(const ix__sample *a, const ix__sample *b,
 
 static double feet_apart(const ix__sample *a)
 {
-    return hypot(a->x[0] - a->c[0], a->x[1] - a->c[1]);
+    return hypot(a->apart[0], a->apart[1]);
 }
 
 /* What part of the tolerance the chord from a to b is off at most, whatever is

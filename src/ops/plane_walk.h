@@ -12,17 +12,19 @@ typedef struct {
     bool valid; /* the centre is on the bisector */
     bool far;   /* not valid: the circle is a line, the centre at infinity */
     bool cut;   /* valid, but the foot jumps between here and the next one */
-    bool own_circle;   /* valid, and the circle is that of curvature: the second
-                          foot is the own one, or so near that they cannot be
-                          told apart */
-    bool normal;       /* valid, on the common normal of two ends: there each r
-                          from 0 on counts */
-    bool blocked;      /* not valid: the own set is in the circle, at foot */
-    double c[2], n[2]; /* own foot, unit vector towards the centre */
-    double x[2];       /* other foot */
-    double b[2], r;    /* centre and radius */
-    ix__touch foot;    /* on the other set; if blocked, on the own one */
-    int vertex, side;  /* of the other foot: vertex or -1, side of its span */
+    bool own_circle; /* valid, and the circle is that of curvature: the second
+                        foot is the own one, or so near that they cannot be
+                        told apart */
+    bool normal;     /* valid, on the common normal of two ends: there each r
+                        from 0 on counts */
+    bool narrow;     /* the other foot is next to the own one: plane_narrow.c */
+    bool blocked;    /* not valid: the own set is in the circle, at foot */
+    double c[2], n[2];  /* own foot, unit vector towards the centre */
+    double x[2];        /* other foot */
+    double apart[2];    /* x - c, to the last digits if narrow */
+    double b[2], r;     /* centre and radius */
+    ix__touch foot;     /* on the other set; if blocked, on the own one */
+    int vertex, side;   /* of the other foot: vertex or -1, side of its span */
     double speed, rate; /* of the centre and of the other foot, by at */
     double along[2];    /* unit tangent of the bisector, in one of its senses */
 } ix__sample;

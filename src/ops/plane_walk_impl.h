@@ -11,6 +11,10 @@
 /* The point c of a border element and the normal n there. */
 void ix__own_frame(const ix__set *s, const ix__border *e, double at,
                    ix__sample *o);
+/* Begins o, which has its own foot, with the circle that touches the other set
+ * next to it; o->foot is left alone if there is none. False if both sets are
+ * the same there. */
+bool ix__narrow_foot(const ix__walk *w, ix__sample *o);
 /* Feet so near each other that the centre is known to half the digits. */
 bool ix__near_feet(const ix__sample *a);
 /* Are both centres one, where pieces end and begin? */
