@@ -480,7 +480,7 @@ static void check_vertex(const problem *p, const ix_medial_branch *b, int j)
     if (x[2] > 1e-3 * p->size && !is_inside(&p->set, p->size, x))
         WRONG(p, "(%.12g, %.12g), radius %g, is outside", x[0], x[1], x[2]);
     for (int k = 0; k < 2; k++) {
-        double y[2];
+        double y[3];
 
         ASSERT_OK(p->ctx, ix_mv_point(p->ctx, p->g->c[b->curve[k]],
                                       &b->foot[2 * j + k], y));
