@@ -1,5 +1,7 @@
 /* The functions whose zeros are pairs of feet: against their definition by
  * values of derivatives, and the curves of their zeros. */
+#include <string.h>
+
 #include "crv_test.h"
 #include "harness/fault.h"
 #include "iritx/ops_plane.h"
@@ -92,6 +94,62 @@ static void by_definition(void **state)
         }
         if (!ix_mv_rational(c[0]) && !ix_mv_rational(c[1]) && func < 4)
             ASSERT_CLOSE(first, 1, 1e-9);
+        ix_mv_unref(ctx, f);
+        ix_mv_unref(ctx, c[0]);
+        ix_mv_unref(ctx, c[1]);
+    }
+    ix_ctx_free(ctx);
+}
+
+/* Law: the same for functions 1 to 3 of rational curves with weights from 1e-3
+ * to 1e3, repeated knots too, in relation to the terms whose difference they
+ * are (1e-8: weights as different as that take six digits of a point). */
+static void weights(void **state)
+{
+    static const int power[4] = {0, 6, 6, 4};
+    static const double kv[8] = {0, 0, 0, 1, 1, 2, 2, 2};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_rng r = ix_rng_new(723);
+
+    (void)state;
+    for (int i = 0; i < 24; i++) {
+        int func = 1 + i % 3;
+        double first = 0;
+        ix_mv *c[2], *f;
+
+        for (int s = 0; s < 2; s++) {
+            double pts[15];
+
+            for (int j = 0; j < 5; j++) {
+                pts[j] = pow(10, ix_rng_range(&r, -3, 3));
+                for (int k = 1; k < 3; k++)
+                    pts[5 * k + j] = pts[j] * ix_rng_range(&r, -1, 1);
+            }
+            c[s] = make_crv(ctx, 3, 5, kv, true, 2, pts);
+        }
+        ASSERT_OK(ctx, ix_cbisector2d(ctx, c[0], c[1], func, NULL, &f));
+        for (int j = 0; j < 16; j++) {
+            double x[2][2], t[2][2], u[2], d[4], h[3], w = 1, v, want[4];
+            double size;
+
+            for (int s = 0; s < 2; s++) {
+                u[s] = 0.13 + 0.51 * (s ? j / 4 : j % 4);
+                ASSERT_OK(ctx, ix_mv_curve_derivs(ctx, c[s], u[s], 1, d));
+                memcpy(x[s], d, sizeof x[s]);
+                memcpy(t[s], d + 2, sizeof t[s]);
+                ASSERT_OK(ctx, ix_mv_eval(ctx, c[s], &u[s], h));
+                w *= pow(h[0], power[func]);
+            }
+            define(func, x, t, want);
+            ASSERT_OK(ctx, ix_mv_eval(ctx, f, u, &v));
+            size = hypot(t[0][0], t[0][1]) * hypot(t[1][0], t[1][1]);
+            size *= func == 3 ? 1 : size;
+            if (j == 0)
+                first = v / (w * want[0]);
+            if (!(fabs(v / first - w * want[0]) <= 1e-8 * w * size))
+                fail_msg("function %d, pair %d, place %d: %.15g, %.15g", func,
+                         i, j, v / first, w * want[0]);
+        }
         ix_mv_unref(ctx, f);
         ix_mv_unref(ctx, c[0]);
         ix_mv_unref(ctx, c[1]);
@@ -230,9 +288,9 @@ static void no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(by_definition),     cmocka_unit_test(degrees),
-        cmocka_unit_test(curves_of_circles), cmocka_unit_test(errors),
-        cmocka_unit_test(no_memory),
+        cmocka_unit_test(by_definition), cmocka_unit_test(weights),
+        cmocka_unit_test(degrees),       cmocka_unit_test(curves_of_circles),
+        cmocka_unit_test(errors),        cmocka_unit_test(no_memory),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
