@@ -105,7 +105,9 @@ static bool has_length(const ix__walked *o, const ix__run *r)
 
     if (first->normal)
         return true;
-    if (first->border == last->border && fabs(last->at - first->at) <= 1e-12)
+    /* one that goes all the way round ends before its beginning */
+    if (first->border == last->border && last->at >= first->at &&
+        last->at - first->at <= 1e-12)
         return false;
     for (int i = 1; i < r->count && len <= least; i++) {
         const ix__sample *b = ix__run_at(o, r, i);
