@@ -165,6 +165,13 @@ static int beginning(const ix__walk *w, const ix__samples *s)
     return at;
 }
 
+/* Does the centre go to infinity between end and what is next to it? Where a
+ * curve turns back it jumps there. */
+static bool goes_far(const ix__sample *end, const ix__sample *next)
+{
+    return next->far && end->r > IX__FAR;
+}
+
 static ix_status runs_of_loop(ix_ctx *ctx, const ix__walk *w, int loop,
                               ix__walked *o)
 {
@@ -186,8 +193,9 @@ static ix_status runs_of_loop(ix_ctx *ctx, const ix__walk *w, int loop,
         while (i + r.count < n && joins(w, around(s, r.first + r.count - 1),
                                         around(s, r.first + r.count)))
             r.count++;
-        r.far[0] = around(s, r.first + n - 1)->far;
-        r.far[1] = around(s, r.first + r.count)->far;
+        r.far[0] = goes_far(around(s, r.first), around(s, r.first + n - 1));
+        r.far[1] = goes_far(around(s, r.first + r.count - 1),
+                            around(s, r.first + r.count));
         IX_TRY(add_run(ctx, o, r, &gap));
         i += r.count;
     }

@@ -270,21 +270,50 @@ static inline void pair_loops(ix_rng *r, pair_points *a, pair_points *b)
     }
 }
 
+/* Is p[0] .. p[n-1] on one line, back and forth? Whole numbers: exact. */
+static inline bool turns_back(int n, double p[][2])
+{
+    bool back = false;
+
+    for (int i = 2; i < n; i++) {
+        double a[2] = {p[i - 1][0] - p[i - 2][0], p[i - 1][1] - p[i - 2][1]};
+        double b[2] = {p[i][0] - p[i - 1][0], p[i][1] - p[i - 1][1]};
+
+        if (a[0] * b[1] != a[1] * b[0])
+            return false;
+        back = back || a[0] * b[0] + a[1] * b[1] < 0;
+    }
+    return back;
+}
+
+/* Such a span would cover itself, and the bisector in part, too: its pieces
+ * then end anywhere. */
+static inline bool covers_itself(pair_points *c)
+{
+    int n = c->degree > 1 ? c->degree + 1 : 3;
+
+    for (int i = 0; i + n <= c->n; i++)
+        if (turns_back(n, c->p + i))
+            return true;
+    return false;
+}
+
 /* Whole numbers: equal, collinear, touching by chance. */
 static inline void pair_grid(ix_rng *r, pair_points *a, pair_points *b)
 {
     pair_points *c[2] = {a, b};
 
-    for (int i = 0; i < 2; i++) {
-        int d = ix_rng_int(r, 1, 3);
+    for (int i = 0; i < 2; i++)
+        do {
+            int d = ix_rng_int(r, 1, 3);
 
-        *c[i] = pair_random(r, d, ix_rng_int(r, 1, 2), false, 0, 0, 1);
-        for (int j = 0; j < c[i]->n; j++)
-            for (int k = 0; k < 2; k++)
-                c[i]->p[j][k] = ix_rng_int(r, -2, 2);
-        /* no points */
-        c[i]->p[c[i]->n - 1][0] = c[i]->p[0][0] + 1;
-    }
+            *c[i] = pair_random(r, d, ix_rng_int(r, 1, 2), false, 0, 0, 1);
+            for (int j = 0; j < c[i]->n; j++)
+                for (int k = 0; k < 2; k++)
+                    c[i]->p[j][k] = ix_rng_int(r, -2, 2);
+            /* no points */
+            c[i]->p[c[i]->n - 1][0] = c[i]->p[0][0] + 1;
+        } while (covers_itself(c[i]));
 }
 
 /* The second one a mirror image of the first one, or of itself. */

@@ -483,6 +483,51 @@ static void no_memory(void **state)
     assert_true(ix_fault_run(&c) > 0);
 }
 
+/* A curve that turns back on a straight line: where it does the circle on the
+ * other side has another size, which is no way to infinity. Exact pieces are as
+ * far from both, 1e-9 being what golden sections leave. */
+static void turning_back(void **state)
+{
+    static const double p[8] = {-1, -1, -2, 0, 2, 0, -2, 2};
+    static const double q[6] = {1, 1, 2, 0, 1, -1};
+    static const double kp[7] = {0, 0, 0, 1, 2, 2, 2}, kq[5] = {0, 0, 1, 2, 2};
+    ix_ctx *ctx = ix_ctx_new(NULL, NULL);
+    ix_mv *m[2] = {make_crv(ctx, 3, 4, kp, false, 2, p),
+                   make_crv(ctx, 2, 3, kq, false, 2, q)};
+    const ix_mv *const a[1] = {m[0]}, *const b[1] = {m[1]};
+    brute ba = brute_of(ctx, 1, a), bb = brute_of(ctx, 1, b);
+    int many = 0;
+    ix_bisector s;
+
+    (void)state;
+    ASSERT_OK(ctx, ix_bisect_crv_crv(ctx, 1, a, 1, b, 0, &s));
+    for (int i = 0; i < s.n; i++) {
+        const ix_bisector_piece *g = &s.piece[i];
+        double dom[2], x[2];
+
+        for (int e = 0; e < 2; e++)
+            assert_true(!g->unbounded[e] || g->r[e ? g->n - 1 : 0] > 20);
+        for (int k = 1; g->exact && k < 8; k++) {
+            double t, d;
+
+            ix_mv_domain(g->exact, 0, dom);
+            t = dom[0] + (dom[1] - dom[0]) * k / 8;
+            ASSERT_OK(ctx, ix_mv_point(ctx, g->exact, &t, x));
+            d = brute_distance(ctx, &ba, x, true);
+            ASSERT_CLOSE(d, brute_distance(ctx, &bb, x, true),
+                         1e-9 * fmax(2, d));
+            many++;
+        }
+    }
+    assert_true(many > 20);
+    ix_bisector_free(ctx, &s);
+    free(ba.x);
+    free(bb.x);
+    ix_mv_unref(ctx, m[0]);
+    ix_mv_unref(ctx, m[1]);
+    ix_ctx_free(ctx);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -492,6 +537,7 @@ int main(void)
         cmocka_unit_test(same_curve),    cmocka_unit_test(objects),
         cmocka_unit_test(exact_points),  cmocka_unit_test(errors),
         cmocka_unit_test(no_memory),     cmocka_unit_test(too_many),
+        cmocka_unit_test(turning_back),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
