@@ -95,6 +95,34 @@ static ix_status solve(ix_ctx *ctx, const ix_mv *c, const ray *r, double *t,
                    "no circle that touches both curves is near");
 }
 
+/* A foot that is farther from where it was expected may be another one: a foot
+ * at a corner belongs to one of two spans, and is looked for from both. */
+#define EXPECTED 1e-3
+
+static ix_status solve_near(ix_ctx *ctx, const ix_mv *c, const ray *r,
+                            double *t, double *k)
+{
+    double dom[2], from = *t, best = INFINITY;
+    ix_status st = IX_OK;
+
+    *k = 0.0;
+    ix_mv_domain(c, 0, dom);
+    for (int i = 0; i < 3 && !(best <= EXPECTED * (dom[1] - dom[0])); i++) {
+        double aside = (i == 2 ? -1 : i) * ROUNDED * (dom[1] - dom[0]);
+        double u = fmin(fmax(from + aside, dom[0]), dom[1]), found = 0.0;
+
+        st = solve(ctx, c, r, &u, &found);
+        if (st == IX_ENOMEM)
+            return st;
+        if (st == IX_OK && found > 0.0 && fabs(u - from) < best) {
+            best = fabs(u - from);
+            *t = u;
+            *k = found;
+        }
+    }
+    return *k > 0.0 ? IX_OK : st;
+}
+
 /* With both curves near the origin, where their coordinates have most digits.
  */
 static ix_status touch(ix_ctx *ctx, const ix_mv *const c[2], int side,
@@ -104,7 +132,7 @@ static ix_status touch(ix_ctx *ctx, const ix_mv *const c[2], int side,
     double k;
 
     IX_TRY(ray_at(ctx, c[0], foot[0], side, &own));
-    IX_TRY(solve(ctx, c[1], &own, &foot[1], &k));
+    IX_TRY(solve_near(ctx, c[1], &own, &foot[1], &k));
     if (!(k > 0.0))
         return IX_FAIL(ctx, IX_EUNABLE, "the circle is a line");
     *r = 1.0 / k;

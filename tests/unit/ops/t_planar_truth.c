@@ -40,11 +40,11 @@ static void check(ix_ctx *ctx, int kind, int pair)
  * two vertices; parts that came and went between two, and chords too long for
  * the size of the curves; exact pieces far from the origin; a part that begins
  * at the region behind a common end and goes to infinity; branches of crossings
- * at 1e-5 that did not reach them. */
+ * at 1e-5 that did not reach them; feet beside a corner. */
 static void found(void **state)
 {
     static const int which[][2] = {{0, 287}, {5, 1028}, {12, 3}, {16, 15},
-                                   {16, 50}, {6, 31},   {10, 4}};
+                                   {16, 50}, {6, 31},   {10, 4}, {19, 75}};
 
     (void)state;
     for (size_t i = 0; i < sizeof which / sizeof *which; i++) {
