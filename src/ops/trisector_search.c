@@ -84,7 +84,7 @@ static ix__tri_place place_of(const ix__tri_foot *f)
 static ix_status push(search *s, const ix__tri_box *b, const int n[3],
                       const ix__tri_foot *const list[3])
 {
-    size_t total = (size_t)(n[0] + n[1] + n[2]);
+    size_t total = (size_t)n[0] + (size_t)n[1] + (size_t)n[2];
     generation *g = &s->next;
     item *i;
 

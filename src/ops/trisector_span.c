@@ -55,10 +55,15 @@ static ix_status field_of(ix_ctx *ctx, const ix_form *f, const double *all,
  */
 #define VANISHES 1e-12
 
+/* Coefficients of a tensor of these degrees. */
+static size_t coefficients(const int deg[2])
+{
+    return ((size_t)deg[0] + 1) * ((size_t)deg[1] + 1);
+}
+
 static double largest(const ix__tri_field *f)
 {
-    return ix__bern_largest(
-        (size_t)((f->deg[0] + 1) * (f->deg[1] + 1) * f->rows), f->c);
+    return ix__bern_largest(coefficients(f->deg) * (size_t)f->rows, f->c);
 }
 
 static const double *coefs(const ix__tri_field *f, int i, int k)
@@ -159,13 +164,14 @@ static ix_status span_of(ix_ctx *ctx, const ix_form *f, const ix_form *d,
     }
     for (int a = -1; a < s->ndirs; a++) {
         const ix__tri_field *g = a < 0 ? &s->p : &s->d[a];
-        size_t size = (size_t)((g->deg[0] + 1) * (g->deg[1] + 1) * g->rows);
+        size_t size = coefficients(g->deg) * (size_t)g->rows;
 
         n = size > n ? size : n;
     }
     for (int a = 0; a < s->ndirs; a++) {
-        size_t size = (size_t)((s->p.deg[0] + s->t[a].deg[0] + 1) *
-                               (s->p.deg[1] + s->t[a].deg[1] + 1));
+        const int deg[2] = {s->p.deg[0] + s->t[a].deg[0],
+                            s->p.deg[1] + s->t[a].deg[1]};
+        size_t size = coefficients(deg);
 
         most = size > most ? size : most;
     }
@@ -327,7 +333,7 @@ static ix__tri_field restricted(const ix__tri_field *f, int ndirs,
                                 double *const room[2])
 {
     ix__tri_field g = *f;
-    size_t inner = (size_t)((f->deg[0] + 1) * f->rows);
+    size_t inner = ((size_t)f->deg[0] + 1) * (size_t)f->rows;
     const double *from = f->c;
 
     if (ndirs > 1) {
